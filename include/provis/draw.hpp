@@ -1,0 +1,34 @@
+#pragma once
+// Pictures of a visible set. They are sampled at pixel centres in float64: to look at, not to decide by.
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "provis/scene.hpp"
+#include "provis/view.hpp"
+#include "provis/visible_set.hpp"
+
+namespace provis {
+
+/// 8-bit RGB, row 0 on top.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;  ///< width * height * 3
+};
+
+/// The view through one frame, each primitive of the set in a colour of its own, by id.
+Image draw_view(const Scene& scene, const VisibleSet& set, const PointView& view, int frame, int width,
+                int height);
+
+/// Every frame of the view in one picture: a single frame fills it, six are laid out three by two.
+Image draw_frames(const Scene& scene, const VisibleSet& set, const PointView& view, int width, int height);
+
+/// The scene from above (along -up of the first frame), visible and hidden primitives told apart and
+/// the viewpoint marked with its window's outline.
+Image draw_above(const Scene& scene, const VisibleSet& set, const PointView& view, int width, int height);
+
+/// Throws:     Error::output; no partial file is left behind
+void write_png(const Image& image, const std::filesystem::path& file);
+
+}  // namespace provis

@@ -1,0 +1,35 @@
+#pragma once
+// What is visible from a point.
+
+#include "provis/arithmetic.hpp"
+#include "provis/context.hpp"
+#include "provis/scene.hpp"
+#include "provis/view.hpp"
+#include "provis/visible_set.hpp"
+
+namespace provis {
+
+struct PointOptions {
+  Arithmetic arithmetic = Arithmetic::chain;
+  bool witnesses = false;    ///< one canonical, re-verified witness per visible primitive
+  bool subdivision = false;  ///< the planar subdivision with exact areas
+};
+
+/// Which primitives are visible from a point within a window.
+///
+/// Input:      scene: F triangles; view: eye and frames in world units
+/// Returns:    status per primitive, size F; witnesses and cells where asked for
+/// Guarantee:  exact (R7); with Arithmetic::doubles none (Guarantee::sampled)
+/// Error:      none: float64 coordinates are taken as exact
+/// Requires:   check(view) passes
+/// Degenerate: edge contact is no leak; coincident triangles are all visible; a triangle whose plane
+///             holds the eye is hidden and hides nothing
+/// Throws:     Error::cancelled, Error::usage, Error::unsupported (spheres), Error::internal
+/// Cost:       about O(F log F + k l), k triangles per leaf in l leaves; parallel; same answer for any
+///             thread count
+/// Source:     V. Popescu, E. Sacks, Z. Cui, R. Ashok, from-point triangle visibility: the problem;
+///             J. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969
+VisibleSet visible_from_point(const Scene& scene, const PointView& view,
+                              const PointOptions& options = {}, const Context& context = {});
+
+}  // namespace provis
