@@ -1,0 +1,104 @@
+#pragma once
+// The chain: structure, filter, interval, MPFR, exact. Engines ask here and nowhere else.
+
+#include <optional>
+
+#include "predicates/line.hpp"
+#include "predicates/view_geometry.hpp"
+#include "provis/arithmetic.hpp"
+
+namespace provis {
+
+/// The number in which an engine keeps its float64 shadows under a policy.
+template <Arithmetic A>
+struct HotNumber {
+  using type = Ball;
+};
+template <>
+struct HotNumber<Arithmetic::doubles> {
+  using type = double;
+};
+
+/// Signs under one arithmetic policy, for one view, counted. One object per task; a RoundUp guard must be
+/// alive on the thread (for Arithmetic::doubles a RoundNearest guard).
+///
+/// Guarantee:  exact for every policy but Arithmetic::doubles, which takes the sign of the rounded value
+template <Arithmetic A>
+class Signs {
+ public:
+  using Hot = typename HotNumber<A>::type;
+
+  Signs(const ViewGeometry& geometry, SignCounts& counts) : geometry_(geometry), counts_(counts) {}
+
+  const ViewGeometry& geometry() const { return geometry_; }
+
+  /// Which side of the line the direction lies on.
+  Sign side(const Line& line, const Direction& direction) {
+    if (on_line_by_structure(line, direction)) {
+      count(predicate(line, direction), Tier::structure);
+      return Sign::zero;
+    }
+    if constexpr (A == Arithmetic::chain || A == Arithmetic::doubles)
+      if (const auto s = filtered(line, direction)) return *s;
+    return slow_side(line, direction);
+  }
+
+  /// The same where an answer is cheap; nullopt otherwise. The slow policies always answer.
+  std::optional<Sign> quick_side(const Line& line, const Direction& direction) {
+    if constexpr (A == Arithmetic::chain || A == Arithmetic::doubles) return filtered(line, direction);
+    return side(line, direction);
+  }
+
+  /// The sign of at_eye of the triangle's plane: negative if it is seen from the front, zero if edge-on.
+  Sign facing(const Vec3d& a, const Vec3d& b, const Vec3d& c);
+
+  /// Positive if the point lies beyond the window's plane (eye at infinity).
+  Sign front(const Vec3d& p);
+
+  /// Whether a depth line is zero everywhere: both triangles lie in one plane.
+  bool vanishes(const Line& depth_line);
+
+  /// The functional or ray in hot numbers.
+  Approx shadow(const Line& line) const { return approximate(evaluate<Hot>(geometry_, line)); }
+  ApproxDirection shadow(const Direction& direction) const {
+    return prepare(approximate(evaluate<Hot>(geometry_, direction)));
+  }
+
+ private:
+  static Predicate predicate(const Line& line, const Direction& direction) {
+    const bool depth = line.kind == LineKind::depth || line.kind == LineKind::front;
+    if (direction.kind == DirectionKind::crossing)
+      return depth ? Predicate::nearer_constructed : Predicate::turn_constructed;
+    return depth ? Predicate::nearer : Predicate::turn;
+  }
+
+  std::optional<Sign> filtered(const Line& line, const Direction& direction) {
+    const FilteredValue f = provis::evaluate(line.approx, direction.approx);
+    if constexpr (A == Arithmetic::doubles) {
+      count(predicate(line, direction), Tier::filter);
+      return sign_of(f.value);
+    }
+    if (f.value > f.bound) {
+      count(predicate(line, direction), Tier::filter);
+      return Sign::positive;
+    }
+    if (f.value < -f.bound) {
+      count(predicate(line, direction), Tier::filter);
+      return Sign::negative;
+    }
+    return std::nullopt;
+  }
+
+  Sign slow_side(const Line& line, const Direction& direction);
+  void count(Predicate p, Tier t) { ++counts_.at(p, t); }
+
+  const ViewGeometry& geometry_;
+  SignCounts& counts_;
+};
+
+extern template class Signs<Arithmetic::doubles>;
+extern template class Signs<Arithmetic::chain>;
+extern template class Signs<Arithmetic::mpfr>;
+extern template class Signs<Arithmetic::exact>;
+
+}  // namespace provis

@@ -1,0 +1,164 @@
+// The tiers behind the filter, and the view's own exact decisions.
+
+#include <cmath>
+
+#include "predicates/environment.hpp"
+#include "predicates/exact_number.hpp"
+#include "predicates/interval.hpp"
+#include "predicates/mpfi_number.hpp"
+#include "predicates/signs.hpp"
+#include "provis/error.hpp"
+
+namespace provis {
+namespace {
+
+// 53 bits more at a time settle what is merely close; a wide spread of exponents can need thousands, and is
+// reached by doubling.
+constexpr long first_mpfr_bits = 212, more_mpfr_bits = 53, fine_steps_end = first_mpfr_bits + 16 * more_mpfr_bits;
+
+std::optional<Sign> sign_of(const Ball& b) {
+  if (b.value > b.radius) return Sign::positive;
+  if (b.value < -b.radius) return Sign::negative;
+  return std::nullopt;
+}
+
+using provis::sign_of;
+
+/// Evaluates `formula`, a generic callable over the number type, tier after tier.
+template <Arithmetic A, class Formula>
+Sign decide(Predicate p, SignCounts& counts, const Formula& formula) {
+  const auto decided = [&](Sign s, Tier t) {
+    ++counts.at(p, t);
+    return s;
+  };
+  if constexpr (A == Arithmetic::doubles) return decided(formula.template operator()<double>(), Tier::filter);
+  if constexpr (A == Arithmetic::chain) {
+    if (const std::optional<Sign> s = formula.template operator()<Interval>())
+      return decided(*s, Tier::interval);
+    const MpfiPrecision precision(first_mpfr_bits);
+    if (const std::optional<Sign> s = formula.template operator()<MpfiNumber>()) return decided(*s, Tier::mpfr);
+  }
+  if constexpr (A == Arithmetic::mpfr) {
+    for (long bits = first_mpfr_bits;; bits += bits < fine_steps_end ? more_mpfr_bits : bits) {
+      const MpfiPrecision precision(bits);
+      if (const std::optional<Sign> s = formula.template operator()<MpfiNumber>())
+        return decided(*s, Tier::mpfr);
+    }
+  }
+  return decided(formula.template operator()<ExactNumber>(), Tier::exact);
+}
+
+/// Zero if all three components are zero, positive if one certainly is not.
+template <class N>
+auto any_component(const Vec3<N>& v) {
+  using Answer = decltype(sign_of(v.x));
+  const Answer s[3] = {sign_of(v.x), sign_of(v.y), sign_of(v.z)};
+  bool all_zero = true;
+  for (const Answer& a : s) {
+    if (a == Sign::negative || a == Sign::positive) return Answer(Sign::positive);
+    if (a != Sign::zero) all_zero = false;
+  }
+  if constexpr (!std::is_same_v<Answer, Sign>)
+    if (!all_zero) return Answer(std::nullopt);
+  return Answer(Sign::zero);
+}
+
+}  // namespace
+
+template <Arithmetic A>
+Sign Signs<A>::slow_side(const Line& line, const Direction& direction) {
+  return decide<A>(predicate(line, direction), counts_, [&]<class N>() {
+    return sign_of(dot(provis::evaluate<N>(geometry_, line), provis::evaluate<N>(geometry_, direction)));
+  });
+}
+
+template <Arithmetic A>
+Sign Signs<A>::facing(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  if constexpr (A == Arithmetic::chain)
+    if (const auto s = sign_of(triangle_plane<Ball>(geometry_, a, b, c).at_eye)) {
+      count(Predicate::facing, Tier::filter);
+      return *s;
+    }
+  return decide<A>(Predicate::facing, counts_,
+                   [&]<class N>() { return sign_of(triangle_plane<N>(geometry_, a, b, c).at_eye); });
+}
+
+template <Arithmetic A>
+Sign Signs<A>::front(const Vec3d& p) {
+  if constexpr (A == Arithmetic::chain)
+    if (const auto s = sign_of(beyond_window<Ball>(geometry_, p))) {
+      count(Predicate::front, Tier::filter);
+      return *s;
+    }
+  return decide<A>(Predicate::front, counts_,
+                   [&]<class N>() { return sign_of(beyond_window<N>(geometry_, p)); });
+}
+
+template <Arithmetic A>
+bool Signs<A>::vanishes(const Line& line) {
+  if constexpr (A == Arithmetic::chain)
+    if (line.approx.size > line.approx.radius) {
+      count(Predicate::coplanar, Tier::filter);
+      return false;
+    }
+  return decide<A>(Predicate::coplanar, counts_, [&]<class N>() {
+           return any_component(provis::evaluate<N>(geometry_, line));
+         }) == Sign::zero;
+}
+
+template class Signs<Arithmetic::doubles>;
+template class Signs<Arithmetic::chain>;
+template class Signs<Arithmetic::mpfr>;
+template class Signs<Arithmetic::exact>;
+
+bool on_line_by_structure(const Line& line, const Direction& d) {
+  const auto holds = [](const Line& l, std::uint32_t id) {
+    return id != no_id && (l.points[0] == id || l.points[1] == id);
+  };
+  if (d.kind == DirectionKind::point) return holds(line, d.point_id);
+  if (d.kind == DirectionKind::window)
+    return (line.kind == LineKind::x_border && line.at == d.numbers.x) ||
+           (line.kind == LineKind::y_border && line.at == d.numbers.y);
+  if (d.kind != DirectionKind::crossing) return false;
+  const Line &l = *d.lines[0], &m = *d.lines[1];
+  if (&line == &l || &line == &m) return true;
+  // Two distinct points make a line; the same two points make the same line.
+  const auto same = [&](const Line& other) {
+    return other.points[0] != other.points[1] && holds(line, other.points[0]) && holds(line, other.points[1]);
+  };
+  if (same(l) || same(m)) return true;
+  // The depth lines of three planes taken in pairs meet in one ray.
+  if (line.kind != LineKind::depth || l.kind != LineKind::depth || m.kind != LineKind::depth) return false;
+  const auto has = [](const Line& x, std::uint32_t plane) {
+    return x.planes[0] == plane || x.planes[1] == plane;
+  };
+  for (int k = 0; k < 2; ++k)
+    if (has(m, l.planes[k]) && !has(m, l.planes[1 - k])) {
+      const std::uint32_t rest = m.planes[0] == l.planes[k] ? m.planes[1] : m.planes[0];
+      if (has(line, l.planes[1 - k]) && has(line, rest)) return true;
+    }
+  return false;
+}
+
+ViewGeometry make_geometry(const Vec3d& eye, const Frame& frame, bool at_infinity) {
+  ViewGeometry g{eye, frame.right, frame.up, frame.forward, at_infinity, Sign::positive, {0, 1, 2}, {}};
+  g.handedness = sign_of(dot(numbers<ExactNumber>(frame.forward),
+                             cross(numbers<ExactNumber>(frame.right), numbers<ExactNumber>(frame.up))));
+  if (g.handedness == Sign::zero)
+    throw Error(Error::Code::usage, "view", "right, up and forward are linearly dependent");
+  if (!at_infinity) return g;
+
+  int k = 0;
+  for (int a = 1; a < 3; ++a)
+    if (std::fabs(component(frame.forward, a)) > std::fabs(component(frame.forward, k))) k = a;
+  g.axes = {(k + 1) % 3, (k + 2) % 3, k};
+  g.shear_direction = frame.forward;
+  if (component(frame.forward, k) < 0) {
+    // Mirroring the direction mirrors the image; swapping both remaining axes mirrors it back.
+    g.shear_direction = -frame.forward;
+    g.axes = {(k + 2) % 3, (k + 1) % 3, k};
+  }
+  return g;
+}
+
+}  // namespace provis
