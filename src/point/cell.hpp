@@ -1,0 +1,114 @@
+#pragma once
+// Convex cells of the image, held as cyclic lists of lines: nothing is ever divided or projected.
+
+#include <boost/container/small_vector.hpp>
+
+#include "predicates/signs.hpp"
+#include "src/point/facets.hpp"
+
+namespace provis {
+
+/// A line or its opposite; cells lie on the positive side.
+struct Side {
+  const Line* line = nullptr;
+  bool negated = false;
+
+  Side operator-() const { return {line, !negated}; }
+};
+
+/// A convex cell with interior: vertex k is where line k meets line k + 1, on the ray of their cross
+/// product. No two neighbours are the same line, and no line is there that bounds nothing.
+struct Cell {
+  boost::container::small_vector<Side, 8> lines;
+  boost::container::small_vector<Direction, 8> vertices;
+
+  bool empty() const { return lines.size() < 3; }
+};
+
+using CellSigns = boost::container::small_vector<Sign, 12>;
+
+/// Cuts cells. Vertices through which an input point's ray passes are kept as that point: a lower degree,
+/// and identities known from structure.
+template <Arithmetic A>
+class CellCutter {
+ public:
+  CellCutter(Signs<A>& signs, const std::vector<ImagePoint>& points) : signs_(signs), points_(points) {}
+
+  /// The side of each vertex; returns whether any is positive and whether any is negative.
+  std::pair<bool, bool> classify(const Cell& cell, Side h, CellSigns& out);
+
+  /// The part of the cell where h is positive, given the signs of its vertices (some of both kinds).
+  Cell part(const Cell& cell, Side h, const CellSigns& vertex_signs, Sign wanted);
+
+ private:
+  Direction meet(Side l, Side m);
+
+  Signs<A>& signs_;
+  const std::vector<ImagePoint>& points_;
+};
+
+template <Arithmetic A>
+std::pair<bool, bool> CellCutter<A>::classify(const Cell& cell, Side h, CellSigns& out) {
+  out.clear();
+  bool positive = false, negative = false;
+  for (const Direction& v : cell.vertices) {
+    const Sign s = signs_.side(*h.line, v);
+    out.push_back(h.negated ? -s : s);
+    positive |= out.back() == Sign::positive;
+    negative |= out.back() == Sign::negative;
+  }
+  return {positive, negative};
+}
+
+template <Arithmetic A>
+Cell CellCutter<A>::part(const Cell& cell, Side h, const CellSigns& s, Sign wanted) {
+  const std::size_t n = cell.lines.size();
+  // Line k runs from vertex k - 1 to vertex k; it stays where it reaches into the wanted side.
+  const auto stays = [&](std::size_t k) { return s[(k + n - 1) % n] == wanted || s[k] == wanted; };
+  const Side border = wanted == Sign::positive ? h : -h;
+  Cell out;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!stays(k)) continue;
+    const std::size_t next = (k + 1) % n;
+    out.lines.push_back(cell.lines[k]);
+    if (stays(next) && s[k] == wanted) {
+      out.vertices.push_back(cell.vertices[k]);
+      continue;
+    }
+    // The boundary leaves the wanted side here: the cutting line takes over up to where it comes back.
+    std::size_t back = next;
+    while (!stays(back)) back = (back + 1) % n;
+    const std::size_t before_back = (back + n - 1) % n;
+    out.vertices.push_back(s[k] == Sign::zero ? cell.vertices[k] : meet(cell.lines[k], border));
+    out.lines.push_back(border);
+    out.vertices.push_back(s[before_back] == Sign::zero ? cell.vertices[before_back]
+                                                        : meet(border, cell.lines[back]));
+  }
+  return out;
+}
+
+template <Arithmetic A>
+Direction CellCutter<A>::meet(Side l, Side m) {
+  for (const std::uint32_t p : l.line->points) {
+    if (p == no_id || (p != m.line->points[0] && p != m.line->points[1])) continue;
+    // A vertex of a cell lies in the image, so of the point's ray and its opposite it is the one that does.
+    if (points_[p].side == Sign::zero) break;
+    Direction v = points_[p].direction;
+    if (points_[p].side == Sign::negative) {
+      v.negated = true;
+      v.approx.v = -v.approx.v;
+    }
+    return v;
+  }
+  Direction v;
+  v.kind = DirectionKind::crossing;
+  v.lines[0] = l.line;
+  v.lines[1] = m.line;
+  v.negated = l.negated != m.negated;
+  Approx a = cross(l.line->approx, m.line->approx);
+  if (v.negated) a.v = -a.v;
+  v.approx = prepare(a);
+  return v;
+}
+
+}  // namespace provis

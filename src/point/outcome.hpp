@@ -1,0 +1,37 @@
+#pragma once
+// What a part of the window contributes to the answer. Parts are added up in a fixed order, so that the sum
+// does not depend on which thread looked where.
+
+#include <iterator>
+#include <optional>
+#include <vector>
+
+#include "provis/visible_set.hpp"
+#include "src/point/witness_point.hpp"
+
+namespace provis {
+
+struct Found {
+  PrimitiveId primitive = 0;
+  std::optional<WitnessPoint> witness;
+};
+
+struct Outcome {
+  std::vector<Found> found;
+  std::vector<SubdivisionCell> cells;
+  QueryStats stats;
+
+  void add(Outcome&& other) {
+    found.insert(found.end(), std::make_move_iterator(other.found.begin()),
+                 std::make_move_iterator(other.found.end()));
+    cells.insert(cells.end(), std::make_move_iterator(other.cells.begin()),
+                 std::make_move_iterator(other.cells.end()));
+    stats.signs += other.stats.signs;
+    stats.nodes += other.stats.nodes;
+    stats.leaves += other.stats.leaves;
+    stats.samples += other.stats.samples;
+    stats.subtractions += other.stats.subtractions;
+  }
+};
+
+}  // namespace provis

@@ -1,0 +1,114 @@
+#include "provis/point.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <ctime>
+
+#include "predicates/environment.hpp"
+#include "predicates/on_triangle.hpp"
+#include "provis/effects.hpp"
+#include "provis/error.hpp"
+#include "src/point/engine.hpp"
+
+namespace provis {
+namespace {
+
+FrameEngine choose_engine(Arithmetic arithmetic, QueryEffects effects) {
+  switch (arithmetic) {
+    case Arithmetic::doubles: return doubles_engine(effects);
+    case Arithmetic::chain: return chain_engine(effects);
+    case Arithmetic::mpfr: return mpfr_engine();
+    case Arithmetic::exact: return exact_engine();
+  }
+  throw Error(Error::Code::usage, "arithmetic", "unknown policy");
+}
+
+bool lies_on_occluder(const Scene& scene, const Vec3d& eye) {
+  for (std::size_t t = 0; t < scene.triangles().size(); ++t)
+    if (!(scene.triangle_flags()[t] & see_through) &&
+        on_triangle(eye, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2)))
+      return true;
+  return false;
+}
+
+double cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// Wall clock and processor time since it was made.
+class Stopwatch {
+ public:
+  void read(QueryStats& stats) const {
+    stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+    stats.cpu_seconds = cpu_seconds() - cpu_;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  double cpu_ = cpu_seconds();
+};
+
+VisibleSet run_frames(const Scene& scene, const PointView& view, const PointOptions& options,
+                      const Context& context, FrameEngine engine) {
+  VisibleSet set;
+  set.guarantee = options.arithmetic == Arithmetic::doubles ? Guarantee::sampled : Guarantee::exact;
+  set.status.assign(scene.primitive_count(), Status::hidden);
+  std::vector<std::uint8_t> known(scene.primitive_count(), 0);
+  std::vector<Witness> witnesses(options.witnesses ? scene.primitive_count() : 0);
+  ProgressMeter progress(context, static_cast<double>(view.frames.size()));
+
+  Outcome total;
+  for (std::size_t k = 0; k < view.frames.size(); ++k) {
+    const Frame& frame = view.frames[k];
+    const ViewGeometry geometry = make_geometry(view.eye, frame, view.projection == Projection::parallel);
+    Outcome outcome =
+        engine(scene, {geometry, static_cast<int>(k), frame.window, options, context, progress}, known);
+    for (const Found& f : outcome.found) {
+      if (known[f.primitive]) continue;
+      known[f.primitive] = 1;
+      set.status[f.primitive] = Status::visible;
+      if (f.witness) witnesses[f.primitive] = make_witness(f.primitive, geometry, *f.witness);
+    }
+    outcome.found.clear();
+    total.add(std::move(outcome));
+  }
+  if (options.witnesses)
+    for (const PrimitiveId id : set.with(Status::visible)) set.witnesses.push_back(std::move(witnesses[id]));
+  set.subdivision = std::move(total.cells);
+  set.stats = total.stats;
+  return set;
+}
+
+}  // namespace
+
+VisibleSet visible_from_point(const Scene& scene, const PointView& view, const PointOptions& options,
+                              const Context& context) {
+  check(view);
+  check_environment();
+  const EffectsPlan plan = plan_effects(scene, view.projection);
+  if (plan.needs_effect(Effect::spheres))
+    throw Error(Error::Code::unsupported, "scene",
+                "spheres are not handled by from-point queries: " + std::to_string(scene.spheres().size()) +
+                    " of them");
+  const FrameEngine engine =
+      choose_engine(options.arithmetic,
+                    {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});
+  const int threads = context.threads > 0 ? context.threads : tbb::this_task_arena::max_concurrency();
+  // An arena may hold more threads than there are cores only where the global limit allows it.
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+
+  const Stopwatch stopwatch;
+  VisibleSet set = arena.execute([&] { return run_frames(scene, view, options, context, engine); });
+  set.eye_on_primitive = view.projection != Projection::parallel && lies_on_occluder(scene, view.eye);
+  set.stats.threads = threads;
+  stopwatch.read(set.stats);
+  return set;
+}
+
+}  // namespace provis

@@ -1,0 +1,74 @@
+#include "src/point/witness_point.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "provis/error.hpp"
+#include "src/point/area.hpp"
+
+namespace provis {
+namespace {
+
+/// floor(q * 2^bits) / 2^bits
+ExactNumber rounded_down(const Rational& q, int bits) {
+  CGAL::Gmpz n;
+  mpz_mul_2exp(n.mpz(), q.numerator().mpz(), static_cast<mp_bitcnt_t>(bits));
+  mpz_fdiv_q(n.mpz(), n.mpz(), q.denominator().mpz());
+  if (n == 0) return ExactNumber(0.0);
+  // Mpzf's constructor from an integer takes the magnitude and forgets the sign (CGAL 5.5.1).
+  ExactNumber scaled(CGAL::abs(n));
+  if (n < 0) scaled = -scaled;
+  constexpr int step = 512;
+  for (int left = bits; left > 0; left -= step)
+    scaled = scaled * ExactNumber(std::ldexp(1.0, -std::min(left, step)));
+  return scaled;
+}
+
+template <class N>
+Vec3<N> ray_through(const ViewGeometry& g, const N& x, const N& y) {
+  return frame_center<N>(g) + x * project_vector<N>(g, g.right) + y * project_vector<N>(g, g.up);
+}
+
+bool strictly_inside(const ViewGeometry& g, const Cell& cell, const WitnessPoint& p) {
+  const Vec3<ExactNumber> ray = ray_through(g, p.x, p.y);
+  return std::all_of(cell.lines.begin(), cell.lines.end(), [&](const Side& l) {
+    const Sign s = sign_of(dot(evaluate<ExactNumber>(g, *l.line), ray));
+    return s == (l.negated ? Sign::negative : Sign::positive);
+  });
+}
+
+Dyadic dyadic(const ExactNumber& x) {
+  const Rational q = static_cast<Rational>(x);
+  std::ostringstream mantissa;
+  mantissa << q.numerator();
+  return {mantissa.str(), -static_cast<long>(mpz_sizeinbase(q.denominator().mpz(), 2) - 1)};
+}
+
+Vec3<Dyadic> dyadic(const Vec3<ExactNumber>& v) { return {dyadic(v.x), dyadic(v.y), dyadic(v.z)}; }
+
+}  // namespace
+
+WitnessPoint interior_point(const ViewGeometry& g, const Cell& cell) {
+  const std::vector<WindowPoint> polygon = window_polygon(g, cell);
+  Rational x = 0, y = 0;
+  for (const WindowPoint& p : polygon) x += p.x, y += p.y;
+  const Rational n = static_cast<int>(polygon.size());
+  // The mean of the corners lies strictly inside, so some precision keeps it there; the limit is far beyond
+  // what the coordinates of any cell can need, and only broken signs reach it.
+  constexpr int most_bits = 1 << 20;
+  for (int bits = 32; bits <= most_bits; bits *= 2) {
+    const WitnessPoint p{rounded_down(x / n, bits), rounded_down(y / n, bits)};
+    if (strictly_inside(g, cell, p)) return p;
+  }
+  throw Error(Error::Code::internal, "witness", "a cell without an interior point");
+}
+
+Witness make_witness(PrimitiveId primitive, const ViewGeometry& g, const WitnessPoint& p) {
+  using N = ExactNumber;
+  const Vec3<N> offset = p.x * numbers<N>(g.right) + p.y * numbers<N>(g.up);
+  const Vec3<N> eye = numbers<N>(g.eye), forward = numbers<N>(g.forward);
+  if (g.at_infinity) return {primitive, dyadic(eye + offset), dyadic(forward)};
+  return {primitive, dyadic(eye), dyadic(forward + offset)};
+}
+
+}  // namespace provis
