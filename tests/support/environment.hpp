@@ -1,0 +1,23 @@
+#pragma once
+// What the environment tells the tests: how many cases, which seed to replay, where the real scenes are.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace provis::test {
+
+/// Seeds of generated cases: `share` percent of PROVIS_CASES (5000 where it is not set), counted from 0, or
+/// PROVIS_SEED alone, to replay a failure.
+std::vector<std::uint64_t> seeds(int share);
+
+/// The file of a real scene in PROVIS_SHARED (default ../shared beside the project). Where it is absent the
+/// reason is printed and counted, and nothing is returned; under PROVIS_REQUIRE_SCENES=1 that is a failure.
+std::optional<std::filesystem::path> shared_scene(const std::string& name);
+
+/// The folder that holds the real scenes and their views.json, whether it is there or not.
+std::filesystem::path shared_scenes_folder();
+
+}  // namespace provis::test

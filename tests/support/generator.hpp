@@ -1,0 +1,20 @@
+#pragma once
+// Degenerate scenes and views on purpose: what breaks visibility code is coincidence, so it is generated.
+
+#include <cstdint>
+#include <vector>
+
+#include "tests/support/case.hpp"
+
+namespace provis::test {
+
+/// A case of 1 to about 60 triangles (mostly fewer than 25) whose family, size, flags, nudges, scale,
+/// position and view are all functions of the seed, the same on every machine.
+///
+/// Guarantee: finite coordinates; windows of positive extent; linearly independent frame vectors
+Case generate(std::uint64_t seed);
+
+/// n triangles with random corners in general position, seen by a pinhole from outside or inside.
+Case random_soup(std::uint64_t seed, int n);
+
+}  // namespace provis::test
