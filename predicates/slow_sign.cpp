@@ -33,6 +33,7 @@ Sign decide(Predicate p, SignCounts& counts, const Formula& formula) {
   };
   if constexpr (A == Arithmetic::doubles) return decided(formula.template operator()<double>(), Tier::filter);
   if constexpr (A == Arithmetic::chain) {
+    if (!rounds_up()) throw Error(Error::Code::internal, "interval tier", "no RoundUp guard on this thread");
     if (const std::optional<Sign> s = formula.template operator()<Interval>())
       return decided(*s, Tier::interval);
     const MpfiPrecision precision(first_mpfr_bits);

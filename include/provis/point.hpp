@@ -11,7 +11,7 @@ namespace provis {
 
 struct PointOptions {
   Arithmetic arithmetic = Arithmetic::chain;
-  bool witnesses = false;    ///< one canonical, re-verified witness per visible primitive
+  bool witnesses = false;    ///< one canonical witness per visible primitive (verify_witnesses checks them)
   bool subdivision = false;  ///< the planar subdivision with exact areas
 };
 

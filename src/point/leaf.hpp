@@ -3,22 +3,23 @@
 // subtraction of what the samples met.
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "provis/error.hpp"
 #include "src/point/effects.hpp"
 #include "src/point/leaf_lines.hpp"
 #include "src/point/tile.hpp"
+#include "src/point/witness_point.hpp"
 
 namespace provis {
 
-/// How a facet was found visible: cells of the image in which nothing hides it, and the sample that showed
-/// it, if one did.
+/// How a facet was found visible: by one certain sample, or because nothing was left to subtract.
 struct Sight {
   bool visible = false;
   bool sampled = false;
   Direction sample;  ///< where sampled: a window ray on which the facet is certainly seen
-  Cell free;         ///< where not sampled: a cell with interior on which nothing hides the facet
+  Cell cell;         ///< a cell of the image in which it is seen somewhere; everywhere if not sampled
 };
 
 template <Arithmetic A, QueryEffects E>
@@ -38,8 +39,11 @@ class Leaf {
   /// Whether facet t is visible within the tile.
   Sight look(std::uint32_t t);
 
+  /// A ray on which facet t is hit strictly inside, and which meets no other occluder up to there, not even
+  /// at the hit (R11). Requires: sight is what look(t) gave.
+  WitnessPoint witness(std::uint32_t t, const Sight& sight);
+
   LeafLines<A>& lines() { return lines_; }
-  CellCutter<A>& cutter() { return cutter_; }
 
   /// Cuts the region out of the cell: appends what remains to `outside`, returns the part inside (empty if
   /// the two do not overlap; then the whole cell remains).
@@ -50,6 +54,9 @@ class Leaf {
 
   bool sample_in(const Cell& cell, Direction& sample) const;
   Meeting meet(std::uint32_t o, std::uint32_t t, const Direction& sample);
+  bool misses(std::uint32_t o, std::uint32_t t, const Vec3<ExactNumber>& ray);
+  template <class Clear>
+  bool clear_of_all(std::uint32_t t, const Clear& clear) const;
   void subtract(std::uint32_t o, std::uint32_t t, std::vector<Cell>& pieces);
   bool too_many(std::size_t pieces) const;
 
@@ -90,7 +97,9 @@ bool Leaf<A, E>::sample_in(const Cell& cell, Direction& sample) const {
     if (!(size > 0) || !(size < HUGE_VAL)) return false;
     sum = sum + (1 / size) * v.approx.v;
   }
-  sample = window_direction(signs_, window_coordinates(signs_.geometry(), sum));
+  const Vec3d at = window_coordinates(signs_.geometry(), sum);
+  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return false;
+  sample = window_direction(signs_, at);
   return std::all_of(cell.lines.begin(), cell.lines.end(), [&](const Side& l) {
     const Sign wanted = l.negated ? Sign::negative : Sign::positive;
     return signs_.quick_side(*l.line, sample) == wanted;
@@ -152,7 +161,7 @@ Sight Leaf<A, E>::look(std::uint32_t t) {
     Sight sight;
     sight.visible = true;
     if (waiting.empty()) {
-      sight.free = std::move(pieces.back());
+      sight.cell = std::move(pieces.back());
       return sight;
     }
     // The sample names the occluder to subtract next; where it names none, t is seen. Where there is no
@@ -164,6 +173,7 @@ Sight Leaf<A, E>::look(std::uint32_t t) {
       });
       if (next == waiting.end()) {
         sight.sampled = true;
+        sight.cell = std::move(pieces.back());
         return sight;
       }
     }
@@ -175,6 +185,52 @@ Sight Leaf<A, E>::look(std::uint32_t t) {
   Sight sight;
   sight.visible = !pieces.empty();
   return sight;
+}
+
+/// Whether the ray certainly passes o by, or meets it beyond t, or o lies in t's plane.
+template <Arithmetic A, QueryEffects E>
+bool Leaf<A, E>::misses(std::uint32_t o, std::uint32_t t, const Vec3<ExactNumber>& ray) {
+  Region region;
+  if (const Side nearer = lines_.depth(o, t); nearer.line != nullptr)
+    region.push_back(nearer);
+  else
+    return true;
+  lines_.template append_cone<E.front_clip>(o, region);
+  return std::any_of(region.begin(), region.end(), [&](const Side& s) {
+    return exact_side(signs_.geometry(), s, ray) == Sign::negative;
+  });
+}
+
+template <Arithmetic A, QueryEffects E>
+template <class Clear>
+bool Leaf<A, E>::clear_of_all(std::uint32_t t, const Clear& clear) const {
+  return std::all_of(members_.begin(), members_.end(),
+                     [&](std::uint32_t o) { return o == t || !facets_[o].occludes || clear(o); });
+}
+
+template <Arithmetic A, QueryEffects E>
+WitnessPoint Leaf<A, E>::witness(std::uint32_t t, const Sight& sight) {
+  if (sight.sampled &&
+      clear_of_all(t, [&](std::uint32_t o) { return meet(o, t, sight.sample) == Meeting::clear; }))
+    return {ExactNumber(sight.sample.numbers.x), ExactNumber(sight.sample.numbers.y)};
+  // What remains after subtraction may still be touched from behind, along at most four lines for each
+  // member, so that among enough points one lies on none.
+  Cell cell = sight.cell;
+  if (sight.sampled) {
+    // The sample proved its own neighbourhood only: subtract everything to get a cell that is seen as a whole.
+    std::vector<Cell> pieces{std::move(cell)};
+    for (const std::uint32_t o : members_)
+      if (o != t && facets_[o].occludes) subtract(o, t, pieces);
+    if (pieces.empty()) throw Error(Error::Code::internal, "witness", "a sampled facet that is hidden");
+    cell = std::move(pieces.back());
+  }
+  const std::size_t attempts = 4 * members_.size() * cell.vertices.size() + 16;
+  for (std::size_t k = 0; k < attempts; ++k) {
+    const WitnessPoint p = interior_point(signs_.geometry(), cell, k);
+    const Vec3<ExactNumber> ray = exact_ray(signs_.geometry(), p);
+    if (clear_of_all(t, [&](std::uint32_t o) { return misses(o, t, ray); })) return p;
+  }
+  throw Error(Error::Code::internal, "witness", "every point of a free cell is touched by an occluder");
 }
 
 }  // namespace provis

@@ -294,11 +294,7 @@ void Traversal<A, E>::decide(Part& part, Leaf<A, E>& leaf, const Item& item) {
   if (!sight.visible || !part.seen.set(item.slot)) return;
   Found& found = part.outcome.found.emplace_back();
   found.primitive = facets_.facets[item.facet].id;
-  if (!query_.options.witnesses) return;
-  if (sight.sampled)
-    found.witness = WitnessPoint{ExactNumber(sight.sample.numbers.x), ExactNumber(sight.sample.numbers.y)};
-  else
-    found.witness = interior_point(query_.geometry, sight.free);
+  if (query_.options.witnesses) found.witness = leaf.witness(item.facet, sight);
 }
 
 }  // namespace provis

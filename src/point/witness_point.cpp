@@ -24,17 +24,10 @@ ExactNumber rounded_down(const Rational& q, int bits) {
   return scaled;
 }
 
-template <class N>
-Vec3<N> ray_through(const ViewGeometry& g, const N& x, const N& y) {
-  return frame_center<N>(g) + x * project_vector<N>(g, g.right) + y * project_vector<N>(g, g.up);
-}
-
 bool strictly_inside(const ViewGeometry& g, const Cell& cell, const WitnessPoint& p) {
-  const Vec3<ExactNumber> ray = ray_through(g, p.x, p.y);
-  return std::all_of(cell.lines.begin(), cell.lines.end(), [&](const Side& l) {
-    const Sign s = sign_of(dot(evaluate<ExactNumber>(g, *l.line), ray));
-    return s == (l.negated ? Sign::negative : Sign::positive);
-  });
+  const Vec3<ExactNumber> ray = exact_ray(g, p);
+  return std::all_of(cell.lines.begin(), cell.lines.end(),
+                     [&](const Side& l) { return exact_side(g, l, ray) == Sign::positive; });
 }
 
 Dyadic dyadic(const ExactNumber& x) {
@@ -48,12 +41,29 @@ Vec3<Dyadic> dyadic(const Vec3<ExactNumber>& v) { return {dyadic(v.x), dyadic(v.
 
 }  // namespace
 
-WitnessPoint interior_point(const ViewGeometry& g, const Cell& cell) {
+Vec3<ExactNumber> exact_ray(const ViewGeometry& g, const WitnessPoint& p) {
+  using N = ExactNumber;
+  return frame_center<N>(g) + p.x * project_vector<N>(g, g.right) + p.y * project_vector<N>(g, g.up);
+}
+
+Sign exact_side(const ViewGeometry& g, const Side& side, const Vec3<ExactNumber>& ray) {
+  const Sign s = sign_of(dot(evaluate<ExactNumber>(g, *side.line), ray));
+  return side.negated ? -s : s;
+}
+
+WitnessPoint interior_point(const ViewGeometry& g, const Cell& cell, std::size_t attempt) {
   const std::vector<WindowPoint> polygon = window_polygon(g, cell);
-  Rational x = 0, y = 0;
-  for (const WindowPoint& p : polygon) x += p.x, y += p.y;
-  const Rational n = static_cast<int>(polygon.size());
-  // The mean of the corners lies strictly inside, so some precision keeps it there; the limit is far beyond
+  // Corner k weighs (1 + attempt)^k. A line holds a mean iff a polynomial of the attempt vanishes, one that
+  // has a coefficient for each corner: it is not zero, for no line holds all corners.
+  const Rational base = static_cast<double>(1 + attempt);
+  Rational x = 0, y = 0, n = 0, weight = 1;
+  for (const WindowPoint& p : polygon) {
+    x += weight * p.x;
+    y += weight * p.y;
+    n += weight;
+    weight *= base;
+  }
+  // A weighted mean of the corners lies strictly inside, so some precision keeps it there; the limit is far beyond
   // what the coordinates of any cell can need, and only broken signs reach it.
   constexpr int most_bits = 1 << 20;
   for (int bits = 32; bits <= most_bits; bits *= 2) {

@@ -1,0 +1,24 @@
+#pragma once
+// Checking that witnesses prove what they claim.
+
+#include "provis/context.hpp"
+#include "provis/scene.hpp"
+#include "provis/view.hpp"
+#include "provis/visible_set.hpp"
+
+namespace provis {
+
+/// Re-checks every witness of a set against all triangles of the scene, from the coordinates alone.
+///
+/// Input:      set: as an engine or a file gave it, with witnesses
+/// Returns:    the number of witnesses, each of which holds (R11)
+/// Guarantee:  exact: a witness passes iff its ray belongs to the view, hits the primitive in its relative
+///             interior on a visible side, and every occluder outside its plane misses the closed segment
+/// Degenerate: an occluder whose plane holds the eye has no hits (R6)
+/// Throws:     Error::rejected naming the primitive and the reason; a visible primitive without a witness;
+///             Error::cancelled
+/// Cost:       about O(F log F + w log F), w witnesses; parallel
+std::size_t verify_witnesses(const Scene& scene, const PointView& view, const VisibleSet& set,
+                             const Context& context = {});
+
+}  // namespace provis

@@ -1,0 +1,55 @@
+#pragma once
+// A tree of boxes around the triangles of a scene. The boxes are exact: corners are input numbers.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "provis/scene.hpp"
+
+namespace provis {
+
+struct Box {
+  Vec3d lower, upper;
+};
+
+class BoxTree {
+ public:
+  explicit BoxTree(const Scene& scene);
+
+  /// Calls visit(triangle) for every triangle below boxes that may_meet accepts, until visit returns true.
+  /// Returns whether it did.
+  template <class MayMeet, class Visit>
+  bool any(const MayMeet& may_meet, const Visit& visit) const {
+    if (nodes_.empty()) return false;
+    std::array<std::uint32_t, 64> stack;
+    std::size_t size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+      const Node& node = nodes_[stack[--size]];
+      if (!may_meet(node.box)) continue;
+      if (node.count == 0) {
+        stack[size++] = node.first;
+        stack[size++] = node.first + 1;
+        continue;
+      }
+      for (std::uint32_t k = 0; k < node.count; ++k)
+        if (visit(order_[node.first + k])) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t first = 0;  ///< of its triangles, or of its two children
+    std::uint32_t count = 0;  ///< of triangles; 0 for an inner node
+  };
+
+  void build(const std::vector<Box>& boxes, std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace provis

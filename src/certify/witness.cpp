@@ -1,0 +1,139 @@
+#include "provis/witness.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+
+#include "predicates/environment.hpp"
+#include "predicates/formulas.hpp"
+#include "provis/error.hpp"
+#include "src/certify/exact_ray.hpp"
+
+namespace provis {
+namespace {
+
+[[noreturn]] void reject(PrimitiveId id, const std::string& why) {
+  throw Error(Error::Code::rejected, fmt::format("witness of primitive {}", id), why);
+}
+
+/// Whether the triangle shows this side to a ray whose sign of n·direction is given: the front looks
+/// against the ray.
+bool shows(const Scene& scene, std::size_t t, Sign along) {
+  return !(scene.triangle_flags()[t] & single_sided) || along == Sign::negative;
+}
+
+class WitnessChecker {
+ public:
+  WitnessChecker(const Scene& scene, const PointView& view) : scene_(scene), view_(view), tree_(scene) {
+    for (const Frame& f : view.frames)
+      frames_.push_back(make_geometry(view.eye, f, view.projection == Projection::parallel));
+  }
+
+  void check(const Witness& w) const {
+    const ExactRay ray(w);
+    if (!belongs(ray)) reject(w.primitive, "the ray does not belong to the view");
+    check_hit(ray, w.primitive);
+    check_free(ray, w.primitive);
+  }
+
+ private:
+  bool belongs(const ExactRay& ray) const;
+  bool in_frame(const ExactRay& ray, std::size_t frame) const;
+  void check_hit(const ExactRay& ray, PrimitiveId target) const;
+  void check_free(const ExactRay& ray, PrimitiveId target) const;
+  bool blocks(const ExactRay& ray, std::size_t occluder, PrimitiveId target) const;
+
+  const Scene& scene_;
+  const PointView& view_;
+  BoxTree tree_;
+  std::vector<ViewGeometry> frames_;
+};
+
+bool WitnessChecker::belongs(const ExactRay& ray) const {
+  for (std::size_t f = 0; f < frames_.size(); ++f)
+    if (in_frame(ray, f)) return true;
+  return false;
+}
+
+bool WitnessChecker::in_frame(const ExactRay& ray, std::size_t frame) const {
+  using N = ExactNumber;
+  const ViewGeometry& g = frames_[frame];
+  const Window& w = view_.frames[frame].window;
+  const Vec3<N> from_eye = ray.origin() - numbers<N>(g.eye);
+  const auto zero = [](const Vec3<N>& v) { return sign_of(dot(v, v)) == Sign::zero; };
+  if (g.at_infinity) {
+    // The ray runs forward and starts on the plane of the window.
+    const Vec3<N> forward = numbers<N>(g.forward);
+    if (!zero(cross(ray.direction(), forward)) || sign_of(dot(ray.direction(), forward)) != Sign::positive)
+      return false;
+    if (sign_of(dot(window_plane<N>(g).normal, from_eye)) != Sign::zero) return false;
+  } else if (!zero(from_eye)) {
+    return false;
+  }
+  const Vec3<N> q = g.at_infinity ? sheared(g, from_eye, 1) : ray.direction();
+  const auto within = [&](const Vec3<N>& line) { return sign_of(dot(line, q)) * g.handedness; };
+  return within(image_side<N>(g)) == Sign::positive && within(x_border<N>(g, w.x0)) != Sign::negative &&
+         within(x_border<N>(g, w.x1)) != Sign::positive && within(y_border<N>(g, w.y0)) != Sign::negative &&
+         within(y_border<N>(g, w.y1)) != Sign::positive;
+}
+
+void WitnessChecker::check_hit(const ExactRay& ray, PrimitiveId target) const {
+  if (target >= scene_.triangles().size()) reject(target, "not a triangle of the scene");
+  const Passage p = ray.passage(scene_.corner(target, 0), scene_.corner(target, 1), scene_.corner(target, 2));
+  if (p.along == Sign::zero || p.reach != p.along) reject(target, "the ray does not reach the triangle's plane");
+  for (const Sign s : p.passes)
+    if (s != p.along) reject(target, "the ray misses the triangle's relative interior");
+  if (!shows(scene_, target, p.along)) reject(target, "the ray meets the side that is not there");
+}
+
+void WitnessChecker::check_free(const ExactRay& ray, PrimitiveId target) const {
+  tree_.any([&](const Box& box) { return ray.may_meet(box); },
+            [&](std::uint32_t t) {
+              if (t != target && blocks(ray, t, target)) reject(target, fmt::format("triangle {} is in the way", t));
+              return false;
+            });
+}
+
+bool WitnessChecker::blocks(const ExactRay& ray, std::size_t occluder, PrimitiveId target) const {
+  if (scene_.triangle_flags()[occluder] & see_through) return false;
+  const Passage p =
+      ray.passage(scene_.corner(occluder, 0), scene_.corner(occluder, 1), scene_.corner(occluder, 2));
+  // A plane that holds the origin of a finite eye has reach zero and no hits (R6); at distance zero an eye
+  // at infinity sees nothing either.
+  if (p.along == Sign::zero || p.reach != p.along || !shows(scene_, occluder, p.along)) return false;
+  for (const Sign s : p.passes)
+    if (s == -p.along) return false;
+  return ray.compare(scene_, occluder, target) != Sign::negative && !coplanar(scene_, occluder, target);
+}
+
+}  // namespace
+
+std::size_t verify_witnesses(const Scene& scene, const PointView& view, const VisibleSet& set,
+                             const Context& context) {
+  check(view);
+  check_environment();
+  std::vector<std::uint8_t> has(scene.primitive_count(), 0);
+  for (const Witness& w : set.witnesses)
+    if (w.primitive < has.size()) has[w.primitive] = 1;
+  for (const PrimitiveId id : set.with(Status::visible))
+    if (id >= has.size() || !has[id]) reject(id, "called visible without a witness");
+
+  const WitnessChecker checker(scene, view);
+  const int threads = context.threads > 0 ? context.threads : tbb::this_task_arena::max_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, set.witnesses.size(), [&](std::size_t k) {
+      if (context.cancelled()) throw Error(Error::Code::cancelled, "witnesses", "interrupted");
+      const RoundUp guard;
+      checker.check(set.witnesses[k]);
+    });
+  });
+  return set.witnesses.size();
+}
+
+}  // namespace provis
