@@ -1,0 +1,57 @@
+#include <string_view>
+#include <utility>
+
+#include "provis/scene.hpp"
+#include "src/scene/failure.hpp"
+#include "src/scene/glb_container.hpp"
+#include "src/scene/scene_hash.hpp"
+#include "src/scene/scene_source.hpp"
+
+namespace provis {
+namespace {
+
+/// What the file begins with, after a byte order mark and white space.
+std::string_view beginning(ByteSpan file) {
+  std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? std::string_view{} : text.substr(first);
+}
+
+SceneSource load_by_content(ByteSpan file, const std::filesystem::path& folder) {
+  if (is_glb(file)) return load_gltf(file, folder);
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return load_ply(file);
+  if (beginning(file).starts_with('{')) return load_gltf(file, folder);
+  fail_invalid("byte 0", file.empty() ? "the file is empty" : "neither glTF nor PLY");
+}
+
+void check_hash(const SceneSource& source) {
+  if (!source.hash) return;
+  const std::string actual = scene_hash(source.arrays);
+  if (actual != *source.hash)
+    fail_invalid("comment",
+                 "the content has hash " + actual + ", not " + *source.hash + " as the comment says");
+}
+
+void clear_flag(SceneArrays& arrays, PrimitiveFlag flag) {
+  for (std::uint8_t& flags : arrays.triangle_flags) flags = static_cast<std::uint8_t>(flags & ~flag);
+  for (std::uint8_t& flags : arrays.sphere_flags) flags = static_cast<std::uint8_t>(flags & ~flag);
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& file, const LoadOptions& options) {
+  try {
+    const Bytes bytes = read_file(file);
+    SceneSource source = load_by_content(bytes, file.parent_path());
+    check_hash(source);
+    if (options.sides == Sides::both) clear_flag(source.arrays, single_sided);
+    if (options.opacity == Opacity::all) clear_flag(source.arrays, see_through);
+    return Scene(std::move(source.arrays));
+  } catch (const Error& error) {
+    throw in_file(file.string(), error);
+  }
+}
+
+}  // namespace provis
