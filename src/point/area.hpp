@@ -3,24 +3,45 @@
 
 #include <CGAL/Gmpq.h>
 
+#include <cstdint>
 #include <vector>
 
+#include "predicates/exact_number.hpp"
 #include "src/point/cell.hpp"
 
 namespace provis {
 
 using Rational = CGAL::Gmpq;
 
+/// The window coordinates (x/w, y/w) of a ray, not divided yet: every division costs a greatest common
+/// divisor of long numbers.
 struct WindowPoint {
-  Rational x, y;
+  ExactNumber x, y, w;
 };
 
 /// Where the ray meets the window. Requires: the ray lies in the image.
 WindowPoint window_point(const ViewGeometry& g, const Direction& ray);
 
+/// The divided coordinates, rounded for display.
+Vec3d rounded(const WindowPoint& p);
+
 std::vector<WindowPoint> window_polygon(const ViewGeometry& g, const Cell& cell);
 
 /// Positive area of a convex polygon, whichever way round it is listed.
 Rational area(const std::vector<WindowPoint>& polygon);
+
+/// Sums of exact areas modulo the prime 2^61 - 1: enough to notice any lost or doubled area, without the
+/// common denominators that make a sum of a thousand rationals slow.
+class AreaBalance {
+ public:
+  void add(const Rational& area) { sum_ = (sum_ + residue(area)) % prime; }
+  bool equals(const Rational& total) const { return sum_ == residue(total); }
+
+ private:
+  static constexpr std::uint64_t prime = (std::uint64_t{1} << 61) - 1;
+  static std::uint64_t residue(const Rational& q);
+
+  std::uint64_t sum_ = 0;
+};
 
 }  // namespace provis

@@ -16,8 +16,8 @@ struct LabelledCell {
   std::vector<std::uint32_t> before;   ///< see-through facets no farther than those
 };
 
-/// Inserts one facet after another, occluders first. Every branch is a certain sign, and the exact areas of
-/// the cells are held against the tile's.
+/// Inserts one facet after another, occluders first. Every branch is a certain sign, and the areas of the
+/// cells are held against the tile's.
 template <Arithmetic A, QueryEffects E>
 class Arrangement {
  public:
@@ -90,14 +90,14 @@ void Arrangement<A, E>::label(LabelledCell& cell, std::uint32_t f) const {
 template <Arithmetic A, QueryEffects E>
 void Arrangement<A, E>::report(int frame, std::vector<SubdivisionCell>& out) const {
   const Window& w = tile_.window;
-  Rational rest = (Rational(w.x1) - Rational(w.x0)) * (Rational(w.y1) - Rational(w.y0));
+  AreaBalance balance;
   for (const LabelledCell& c : cells_) {
     const std::vector<WindowPoint> polygon = window_polygon(signs_.geometry(), c.cell);
     const Rational size = area(polygon);
-    rest -= size;
+    balance.add(size);
     SubdivisionCell& cell = out.emplace_back();
     cell.frame = frame;
-    for (const WindowPoint& p : polygon) cell.corners.push_back({CGAL::to_double(p.x), CGAL::to_double(p.y), 0});
+    for (const WindowPoint& p : polygon) cell.corners.push_back(rounded(p));
     std::ostringstream text;
     text << size;
     cell.area = text.str();
@@ -107,7 +107,7 @@ void Arrangement<A, E>::report(int frame, std::vector<SubdivisionCell>& out) con
     std::sort(cell.visible.begin(), cell.visible.end());
   }
   if constexpr (A != Arithmetic::doubles)
-    if (rest != 0)
+    if (!balance.equals((Rational(w.x1) - Rational(w.x0)) * (Rational(w.y1) - Rational(w.y0))))
       throw Error(Error::Code::internal, "subdivision", "the areas of the cells do not sum to the tile's");
 }
 

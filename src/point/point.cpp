@@ -94,6 +94,8 @@ VisibleSet visible_from_point(const Scene& scene, const PointView& view, const P
     throw Error(Error::Code::unsupported, "scene",
                 "spheres are not handled by from-point queries: " + std::to_string(scene.spheres().size()) +
                     " of them");
+  if (options.witnesses && options.arithmetic == Arithmetic::doubles)
+    throw Error(Error::Code::usage, "witnesses", "plain doubles prove nothing");
   const FrameEngine engine =
       choose_engine(options.arithmetic,
                     {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});

@@ -58,8 +58,9 @@ WitnessPoint interior_point(const ViewGeometry& g, const Cell& cell, std::size_t
   const Rational base = static_cast<double>(1 + attempt);
   Rational x = 0, y = 0, n = 0, weight = 1;
   for (const WindowPoint& p : polygon) {
-    x += weight * p.x;
-    y += weight * p.y;
+    const Rational w = static_cast<Rational>(p.w);
+    x += weight * static_cast<Rational>(p.x) / w;
+    y += weight * static_cast<Rational>(p.y) / w;
     n += weight;
     weight *= base;
   }

@@ -85,7 +85,9 @@ PointView view(const Json& query) {
     throw std::runtime_error("'" + projection + "' is no projection");
   }
   const Json& w = items(query.at("window"), 4);
-  const Frame frame{vec3(query.at("right")), vec3(query.at("up")), vec3(query.at("forward")),
+  const Frame frame{vec3(query.at("right")),
+                    vec3(query.at("up")),
+                    vec3(query.at("forward")),
                     {number(w[0]), number(w[1]), number(w[2]), number(w[3])}};
   return {eye, projection == "pinhole" ? Projection::pinhole : Projection::parallel, {frame}};
 }
@@ -94,12 +96,10 @@ HardCase hard_case(const std::string& name, const Json& file) {
   check_members(file, {"why", "because", "vertices", "triangles", "flags", "query", "visible",
                        "eye_on_primitive", "doubles", "without_mpfr"});
   HardCase c;
-  c.name = name;
   c.why = file.at("why");
   c.because = file.at("because");
-  c.arrays = scene(file);
-  c.view = view(file.at("query"));
-  const std::size_t count = c.arrays.triangles.size();
+  c.input = {name, 0, scene(file), view(file.at("query"))};
+  const std::size_t count = c.input.arrays.triangles.size();
   c.visible = ids(file.at("visible"), count);
   c.eye_on_primitive = file.at("eye_on_primitive").get<bool>();
   if (file.contains("doubles")) c.doubles = ids(file["doubles"], count);
@@ -134,7 +134,7 @@ std::vector<HardCase> load_hard_cases(const std::filesystem::path& folder) {
     }
   }
   std::sort(cases.begin(), cases.end(),
-            [](const HardCase& a, const HardCase& b) { return a.name < b.name; });
+            [](const HardCase& a, const HardCase& b) { return a.input.name < b.input.name; });
   return cases;
 }
 
@@ -144,8 +144,8 @@ std::string hard_table(const std::vector<HardCase>& cases) {
       "| --- | --- | ---: | --- | --- |\n";
   for (const HardCase& c : cases) {
     const std::string flag = c.eye_on_primitive ? " (eye on primitive)" : "";
-    table += "| [" + c.name + "](" + c.name + ".json) | " + c.why + " | " +
-             std::to_string(c.arrays.triangles.size()) + " | " + text(c.visible) + flag + " | " +
+    table += "| [" + c.input.name + "](" + c.input.name + ".json) | " + c.why + " | " +
+             std::to_string(c.input.arrays.triangles.size()) + " | " + text(c.visible) + flag + " | " +
              (c.doubles ? "**" + text(*c.doubles) + "**" : "") + " |\n";
   }
   return table;

@@ -6,22 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "provis/scene.hpp"
-#include "provis/view.hpp"
+#include "tests/support/case.hpp"
 
 namespace provis::test {
 
 /// One file of the catalogue; data/hard/README.md describes the format.
 struct HardCase {
-  std::string name;     ///< the file's name without its ending
-  std::string why;      ///< what makes it hard
-  std::string because;  ///< the reasoning that leads to the expected set
-  SceneArrays arrays;
-  PointView view;
+  Case input;                        ///< named like the file, without its ending
+  std::string why;                   ///< what makes it hard
+  std::string because;               ///< the reasoning that leads to the expected set
   std::vector<PrimitiveId> visible;  ///< the expected set, ascending
   bool eye_on_primitive = false;
   std::optional<std::vector<PrimitiveId>> doubles;  ///< what plain float64 signs answer, where that is wrong
-  std::string without_mpfr;                         ///< why the MPFR policy is left out; empty if it is not
+  std::string without_mpfr;                         ///< why the MPFR policy is not tried; empty if it is
 };
 
 /// Every case of a folder, by name.
