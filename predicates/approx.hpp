@@ -9,8 +9,13 @@
 
 namespace provis {
 
+/// Vectors in which more than this could appear are never certain: the product of two that are smaller does
+/// not overflow, and no error that is lost to underflow grows past underflow_bound (ERRORS.md, 2).
+inline constexpr double size_bound = 0x1p400;
+
 /// A float64 vector; every component lies within `radius` of the true one, and `size` is the largest
-/// magnitude among the components.
+/// magnitude among the components. The radius is infinite where nothing is known; then the size means
+/// nothing.
 struct Approx {
   Vec3d v;
   double size = 0, radius = 0;
@@ -18,11 +23,15 @@ struct Approx {
 
 inline double largest(const Vec3d& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
+/// The only way to an Approx with a radius. A NaN radius fails the comparison; a NaN component comes with an
+/// infinite radius (ERRORS.md, 2).
+inline Approx approximate(const Vec3d& v, double radius) {
+  const double size = largest(v);
+  return {v, size, size + radius < size_bound ? radius : HUGE_VAL};
+}
+
 inline Approx approximate(const Vec3<Ball>& b) {
-  const Vec3d v{b.x.value, b.y.value, b.z.value};
-  // std::max would drop a NaN; a sum keeps it, and a NaN radius is never certain.
-  const double nan_keeper = 0 * (b.x.radius + b.y.radius + b.z.radius);
-  return {v, largest(v), std::max({b.x.radius, b.y.radius, b.z.radius}) + nan_keeper};
+  return approximate({b.x.value, b.y.value, b.z.value}, std::max({b.x.radius, b.y.radius, b.z.radius}));
 }
 
 /// Plain doubles claim no error at all.
@@ -48,7 +57,7 @@ inline Approx cross(const Approx& a, const Approx& b) {
   constexpr double slack = 1 + 0x1p-20;
   const Vec3d v = cross(a.v, b.v);
   const double inherited = 2 * (a.size * b.radius + a.radius * (b.size + b.radius));
-  return {v, largest(v), (inherited + 5 * unit_roundoff * a.size * b.size) * slack + underflow_bound};
+  return approximate(v, (inherited + 5 * unit_roundoff * a.size * b.size) * slack + underflow_bound);
 }
 
 /// The value of a functional at a direction, and the bound on its error.

@@ -4,34 +4,50 @@ namespace provis {
 
 std::string_view name(Arithmetic arithmetic) {
   switch (arithmetic) {
-    case Arithmetic::doubles: return "doubles";
-    case Arithmetic::chain: return "chain";
-    case Arithmetic::mpfr: return "mpfr";
-    case Arithmetic::exact: return "exact";
+    case Arithmetic::doubles:
+      return "doubles";
+    case Arithmetic::chain:
+      return "chain";
+    case Arithmetic::mpfr:
+      return "mpfr";
+    case Arithmetic::exact:
+      return "exact";
   }
   return "?";
 }
 
 std::string_view name(Tier tier) {
   switch (tier) {
-    case Tier::structure: return "structure";
-    case Tier::filter: return "filter";
-    case Tier::interval: return "interval";
-    case Tier::mpfr: return "mpfr";
-    case Tier::exact: return "exact";
+    case Tier::structure:
+      return "structure";
+    case Tier::filter:
+      return "filter";
+    case Tier::interval:
+      return "interval";
+    case Tier::mpfr:
+      return "mpfr";
+    case Tier::exact:
+      return "exact";
   }
   return "?";
 }
 
 std::string_view name(Predicate predicate) {
   switch (predicate) {
-    case Predicate::facing: return "facing";
-    case Predicate::front: return "front";
-    case Predicate::turn: return "turn";
-    case Predicate::turn_constructed: return "turn_constructed";
-    case Predicate::nearer: return "nearer";
-    case Predicate::nearer_constructed: return "nearer_constructed";
-    case Predicate::coplanar: return "coplanar";
+    case Predicate::facing:
+      return "facing";
+    case Predicate::front:
+      return "front";
+    case Predicate::turn:
+      return "turn";
+    case Predicate::turn_constructed:
+      return "turn_constructed";
+    case Predicate::nearer:
+      return "nearer";
+    case Predicate::nearer_constructed:
+      return "nearer_constructed";
+    case Predicate::coplanar:
+      return "coplanar";
   }
   return "?";
 }

@@ -56,32 +56,35 @@ Vec3<N> frame_center(const ViewGeometry& g) {
   return g.at_infinity ? sheared(g, Vec3<N>{N(0), N(0), N(0)}, 1) : numbers<N>(g.forward);
 }
 
-/// The ray through window coordinates (x, y). Degree 2.
+/// The ray through window coordinates (x, y). Degree 1 (eye at infinity: 2) in lengths, 1 in x and y.
 template <class N>
 Vec3<N> window_ray(const ViewGeometry& g, double x, double y) {
   return frame_center<N>(g) + N(x) * project_vector<N>(g, g.right) + N(y) * project_vector<N>(g, g.up);
 }
 
-/// Positive where the window coordinate x exceeds the given one (times the handedness). Degree 3.
+/// Positive where the window coordinate x exceeds the given one (times the handedness). Degree 2 (eye at
+/// infinity: 4) in lengths, 1 in x.
 template <class N>
 Vec3<N> x_border(const ViewGeometry& g, double x) {
   return cross(project_vector<N>(g, g.up), frame_center<N>(g) + N(x) * project_vector<N>(g, g.right));
 }
 
-/// Positive where the window coordinate y exceeds the given one (times the handedness). Degree 3.
+/// Positive where the window coordinate y exceeds the given one (times the handedness). Degree 2 (eye at
+/// infinity: 4) in lengths, 1 in y.
 template <class N>
 Vec3<N> y_border(const ViewGeometry& g, double y) {
   return cross(frame_center<N>(g) + N(y) * project_vector<N>(g, g.up), project_vector<N>(g, g.right));
 }
 
 /// Positive on the window's side of the image, for turning a line through the viewpoint into a ray
-/// (times the handedness). Degree 2.
+/// (times the handedness). Degree 2 (eye at infinity: 4).
 template <class N>
 Vec3<N> image_side(const ViewGeometry& g) {
   return cross(project_vector<N>(g, g.right), project_vector<N>(g, g.up));
 }
 
-/// Positive to the left of the projected edge from a to b. Degree 2.
+/// Positive where det[a-e, b-e, p-e] is: as the viewer sees it, to the right of the projected edge from a to
+/// b. Degree 2 (eye at infinity: 4).
 template <class N>
 Vec3<N> edge_line(const ViewGeometry& g, const Vec3d& a, const Vec3d& b) {
   return cross(project_point<N>(g, a), project_point<N>(g, b));
@@ -112,8 +115,9 @@ N beyond_window(const ViewGeometry& g, const Vec3d& p) {
   return dot(window_plane<N>(g).normal, numbers<N>(p) - numbers<N>(g.eye));
 }
 
-/// Positive where the first plane is nearer, both with at_eye > 0. Degree 5; it vanishes on the crossing
-/// of both planes, and everywhere iff they are one plane.
+/// Positive where the first plane is nearer, both with at_eye > 0. Degree 5, and 6 in the last coefficient
+/// for an eye at infinity, where that coordinate of a ray has one degree less. It vanishes on the crossing of
+/// both planes, and everywhere iff they are one plane.
 template <class N>
 Vec3<N> depth_line(const ViewGeometry& g, const Plane<N>& first, const Plane<N>& second) {
   const Vec3<N> f = second.at_eye * first.normal - first.at_eye * second.normal;

@@ -24,9 +24,9 @@ enum class LineKind : std::uint8_t { edge, x_border, y_border, image, depth, fro
 struct Line {
   Approx approx;
   LineKind kind = LineKind::edge;
-  bool negated = false;              ///< borders only: positive on the smaller side
-  Corners first, second;             ///< edge: first.p[0] to first.p[1]; depth: two triangles; front: first
-  double at = 0;                     ///< borders: the window coordinate
+  bool negated = false;   ///< borders only: positive on the smaller side
+  Corners first, second;  ///< edge: first.p[0] to first.p[1]; depth: two triangles; front: first
+  double at = 0;          ///< borders: the window coordinate
   std::uint32_t points[2] = {no_id, no_id};  ///< ids of input points known to lie on the line
   std::uint32_t planes[2] = {no_id, no_id};  ///< depth: ids of both triangles
 };
@@ -37,17 +37,18 @@ enum class DirectionKind : std::uint8_t { point, window, crossing, given };
 struct Direction {
   ApproxDirection approx;
   DirectionKind kind = DirectionKind::given;
-  bool negated = false;           ///< point, crossing: the opposite of what the definition says
-  std::uint32_t point_id = no_id; ///< point
-  const Vec3d* point = nullptr;   ///< point
+  bool negated = false;                       ///< point, crossing: the opposite of what the definition says
+  std::uint32_t point_id = no_id;             ///< point
+  const Vec3d* point = nullptr;               ///< point
   const Line* lines[2] = {nullptr, nullptr};  ///< crossing
-  Vec3d numbers;                  ///< given: the ray itself; window: (x, y, -)
+  Vec3d numbers;                              ///< given: the ray itself; window: (x, y, -)
 };
 
 template <class N>
 Vec3<N> evaluate(const ViewGeometry& g, const Line& l) {
   switch (l.kind) {
-    case LineKind::edge: return edge_line<N>(g, *l.first.p[0], *l.first.p[1]);
+    case LineKind::edge:
+      return edge_line<N>(g, *l.first.p[0], *l.first.p[1]);
     case LineKind::depth:
       return depth_line(g, triangle_plane<N>(g, *l.first.p[0], *l.first.p[1], *l.first.p[2]),
                         triangle_plane<N>(g, *l.second.p[0], *l.second.p[1], *l.second.p[2]));
@@ -56,7 +57,8 @@ Vec3<N> evaluate(const ViewGeometry& g, const Line& l) {
                         triangle_plane<N>(g, *l.first.p[0], *l.first.p[1], *l.first.p[2]));
     case LineKind::x_border:
     case LineKind::y_border:
-    case LineKind::image: break;
+    case LineKind::image:
+      break;
   }
   const Vec3<N> v = l.kind == LineKind::x_border   ? x_border<N>(g, l.at)
                     : l.kind == LineKind::y_border ? y_border<N>(g, l.at)
@@ -71,12 +73,14 @@ Vec3<N> evaluate(const ViewGeometry& g, const Direction& d) {
       const Vec3<N> v = project_point<N>(g, *d.point);
       return d.negated ? -v : v;
     }
-    case DirectionKind::window: return window_ray<N>(g, d.numbers.x, d.numbers.y);
+    case DirectionKind::window:
+      return window_ray<N>(g, d.numbers.x, d.numbers.y);
     case DirectionKind::crossing: {
       const Vec3<N> v = cross(evaluate<N>(g, *d.lines[0]), evaluate<N>(g, *d.lines[1]));
       return d.negated ? -v : v;
     }
-    case DirectionKind::given: break;
+    case DirectionKind::given:
+      break;
   }
   return numbers<N>(d.numbers);
 }

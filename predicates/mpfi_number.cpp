@@ -4,7 +4,7 @@
 
 namespace provis {
 
-thread_local long MpfiPrecision::current_ = 212;
+constinit thread_local long MpfiPrecision::current_ = 212;
 
 MpfiNumber::MpfiNumber() {
   mpfi_init2(i_, MpfiPrecision::current());

@@ -21,7 +21,8 @@ class MpfiPrecision {
 
  private:
   long saved_;
-  static thread_local long current_;
+  // constinit: known to need no initialisation at run time, so that other files reach it without a wrapper.
+  static constinit thread_local long current_;
 };
 
 class MpfiNumber {

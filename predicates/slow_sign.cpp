@@ -14,7 +14,8 @@ namespace {
 
 // 53 bits more at a time settle what is merely close; a wide spread of exponents can need thousands, and is
 // reached by doubling.
-constexpr long first_mpfr_bits = 212, more_mpfr_bits = 53, fine_steps_end = first_mpfr_bits + 16 * more_mpfr_bits;
+constexpr long first_mpfr_bits = 212, more_mpfr_bits = 53,
+               fine_steps_end = first_mpfr_bits + 16 * more_mpfr_bits;
 
 std::optional<Sign> sign_of(const Ball& b) {
   if (b.value > b.radius) return Sign::positive;
@@ -37,7 +38,8 @@ Sign decide(Predicate p, SignCounts& counts, const Formula& formula) {
     if (const std::optional<Sign> s = formula.template operator()<Interval>())
       return decided(*s, Tier::interval);
     const MpfiPrecision precision(first_mpfr_bits);
-    if (const std::optional<Sign> s = formula.template operator()<MpfiNumber>()) return decided(*s, Tier::mpfr);
+    if (const std::optional<Sign> s = formula.template operator()<MpfiNumber>())
+      return decided(*s, Tier::mpfr);
   }
   if constexpr (A == Arithmetic::mpfr) {
     for (long bits = first_mpfr_bits;; bits += bits < fine_steps_end ? more_mpfr_bits : bits) {

@@ -11,10 +11,10 @@
 namespace provis {
 
 enum class Effect {
-  single_sided,   ///< culling by facing (R4)
-  see_through,    ///< surfaces that are seen and do not occlude (R5)
-  spheres,        ///< quadrics beside planes
-  front_clip,     ///< a cut at distance 0, needed only for an eye at infinity (R8)
+  single_sided,  ///< culling by facing (R4)
+  see_through,   ///< surfaces that are seen and do not occlude (R5)
+  spheres,       ///< quadrics beside planes
+  front_clip,    ///< a cut at distance 0, needed only for an eye at infinity (R8)
 };
 
 struct EffectNeed {

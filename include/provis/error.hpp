@@ -40,15 +40,24 @@ class Error : public std::runtime_error {
 /// The exit status of the command line tool for a failure (0 is success).
 constexpr int exit_status(Error::Code code) {
   switch (code) {
-    case Error::Code::usage: return 1;
-    case Error::Code::invalid_input: return 2;
-    case Error::Code::unsupported: return 3;
-    case Error::Code::output: return 4;
-    case Error::Code::guarantee: return 5;
-    case Error::Code::rejected: return 6;
-    case Error::Code::threshold: return 7;
-    case Error::Code::internal: return 70;
-    case Error::Code::cancelled: return 130;
+    case Error::Code::usage:
+      return 1;
+    case Error::Code::invalid_input:
+      return 2;
+    case Error::Code::unsupported:
+      return 3;
+    case Error::Code::output:
+      return 4;
+    case Error::Code::guarantee:
+      return 5;
+    case Error::Code::rejected:
+      return 6;
+    case Error::Code::threshold:
+      return 7;
+    case Error::Code::internal:
+      return 70;
+    case Error::Code::cancelled:
+      return 130;
   }
   return 70;
 }

@@ -24,12 +24,13 @@ struct PointOptions {
 /// Requires:   check(view) passes
 /// Degenerate: edge contact is no leak; coincident triangles are all visible; a triangle whose plane
 ///             holds the eye is hidden and hides nothing
-/// Throws:     Error::cancelled, Error::usage, Error::unsupported (spheres), Error::internal
+/// Throws:     Error::cancelled, Error::usage (witnesses or cells asked of plain doubles, too),
+///             Error::unsupported (spheres), Error::internal
 /// Cost:       about O(F log F + k l), k triangles per leaf in l leaves; parallel; same answer for any
 ///             thread count
 /// Source:     V. Popescu, E. Sacks, Z. Cui, R. Ashok, from-point triangle visibility: the problem;
 ///             J. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969
-VisibleSet visible_from_point(const Scene& scene, const PointView& view,
-                              const PointOptions& options = {}, const Context& context = {});
+VisibleSet visible_from_point(const Scene& scene, const PointView& view, const PointOptions& options = {},
+                              const Context& context = {});
 
 }  // namespace provis

@@ -30,10 +30,10 @@ struct Sphere {
 
 /// A run of primitives that came from one place of the file; runs are stored in id order.
 struct SourceRange {
-  PrimitiveId first = 0;      ///< the id of element 0
-  std::uint32_t count = 0;    ///< primitives in this run
-  std::int32_t node = -1;     ///< glTF node index, -1 where the format has none
-  std::int32_t mesh = -1;     ///< glTF mesh index
+  PrimitiveId first = 0;        ///< the id of element 0
+  std::uint32_t count = 0;      ///< primitives in this run
+  std::int32_t node = -1;       ///< glTF node index, -1 where the format has none
+  std::int32_t mesh = -1;       ///< glTF mesh index
   std::int32_t primitive = -1;  ///< index of the glTF primitive inside its mesh
 };
 
@@ -93,8 +93,8 @@ class Scene {
   std::string hash_;
 };
 
-enum class Sides { material, both };    ///< R4
-enum class Opacity { material, all };   ///< R5
+enum class Sides { material, both };   ///< R4
+enum class Opacity { material, all };  ///< R5
 
 struct LoadOptions {
   Sides sides = Sides::material;

@@ -40,8 +40,8 @@ struct PointView {
 struct LookAt {
   Vec3d eye;
   Vec3d direction{0, 0, -1};
-  Vec3d up{0, 1, 0};           ///< replaced by (0, 0, -1) if parallel to the direction
-  double fovy_degrees = 60;    ///< vertical
+  Vec3d up{0, 1, 0};               ///< replaced by (0, 0, -1) if parallel to the direction
+  double fovy_degrees = 60;        ///< vertical
   int width = 1280, height = 720;  ///< the aspect; never changes an exact set otherwise
 };
 

@@ -41,32 +41,32 @@ struct Witness {
 
 /// One convex cell of the visibility subdivision.
 struct SubdivisionCell {
-  int frame = 0;                         ///< index into the view's frames
-  std::vector<Vec3d> corners;            ///< (x, y, 0) in window coordinates, rounded for display
-  std::string area;                      ///< exact, "p/q" in window units
+  int frame = 0;               ///< index into the view's frames
+  std::vector<Vec3d> corners;  ///< (x, y, 0) in window coordinates, rounded for display
+  std::string area;            ///< exact, "p/q" in window units
   double area_rounded = 0;
-  std::vector<PrimitiveId> visible;      ///< ascending; empty for background
+  std::vector<PrimitiveId> visible;  ///< ascending; empty for background
 };
 
 /// Costs of a query. The only part of a result that may differ between runs.
 struct QueryStats {
-  double seconds = 0;       ///< wall clock, from the scene in memory to the finished set
-  double cpu_seconds = 0;   ///< of all threads
+  double seconds = 0;      ///< wall clock, from the scene in memory to the finished set
+  double cpu_seconds = 0;  ///< of all threads
   int threads = 0;
   SignCounts signs;
-  std::uint64_t nodes = 0;      ///< rectangles of the window that were looked at
-  std::uint64_t leaves = 0;     ///< rectangles that were resolved exactly
-  std::uint64_t samples = 0;    ///< primitives found visible by one certified sample
+  std::uint64_t nodes = 0;         ///< rectangles of the window that were looked at
+  std::uint64_t leaves = 0;        ///< rectangles that were resolved exactly
+  std::uint64_t samples = 0;       ///< primitives found visible by one certified sample
   std::uint64_t subtractions = 0;  ///< primitives decided by exact subtraction
 };
 
 /// Status per primitive, in id order, with its guarantee.
 struct VisibleSet {
-  std::vector<Status> status;      ///< size: the scene's primitive count
+  std::vector<Status> status;  ///< size: the scene's primitive count
   Guarantee guarantee = Guarantee::exact;
-  std::string answers = "R7";      ///< the rule of semantics that is answered
-  bool eye_on_primitive = false;   ///< the eye lies on an occluding primitive (R7)
-  std::vector<Witness> witnesses;  ///< where asked for: one per visible primitive, in id order
+  std::string answers = "R7";                ///< the rule of semantics that is answered
+  bool eye_on_primitive = false;             ///< the eye lies on an occluding primitive (R7)
+  std::vector<Witness> witnesses;            ///< where asked for: one per visible primitive, in id order
   std::vector<SubdivisionCell> subdivision;  ///< where asked for
   QueryStats stats;
 

@@ -44,7 +44,8 @@ BoxTree::BoxTree(const Scene& scene) : order_(scene.triangles().size()) {
 }
 
 /// Halves at the median, so the depth stays below 32 and the traversal's stack below 64.
-void BoxTree::build(const std::vector<Box>& boxes, std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
+void BoxTree::build(const std::vector<Box>& boxes, std::uint32_t node, std::uint32_t begin,
+                    std::uint32_t end) {
   Box box = boxes[order_[begin]];
   for (std::uint32_t k = begin + 1; k < end; ++k) box = join(box, boxes[order_[k]]);
   nodes_[node].box = box;
@@ -55,8 +56,9 @@ void BoxTree::build(const std::vector<Box>& boxes, std::uint32_t node, std::uint
   }
   const int axis = longest_axis(box);
   const std::uint32_t mid = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + mid, order_.begin() + end,
-                   [&](std::uint32_t a, std::uint32_t b) { return middle(boxes[a], axis) < middle(boxes[b], axis); });
+  std::nth_element(
+      order_.begin() + begin, order_.begin() + mid, order_.begin() + end,
+      [&](std::uint32_t a, std::uint32_t b) { return middle(boxes[a], axis) < middle(boxes[b], axis); });
   const auto children = static_cast<std::uint32_t>(nodes_.size());
   nodes_[node].first = children;
   nodes_.resize(nodes_.size() + 2);

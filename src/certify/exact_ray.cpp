@@ -41,7 +41,8 @@ Vec3<N> read(const Vec3<Dyadic>& v) { return {read(v.x), read(v.y), read(v.z)}; 
 Interval bounds(const N& x) {
   const CGAL::Gmpq q = static_cast<CGAL::Gmpq>(x);
   mpfr_t exact;
-  mpfr_init2(exact, std::max<mpfr_prec_t>(MPFR_PREC_MIN, static_cast<mpfr_prec_t>(mpz_sizeinbase(q.numerator().mpz(), 2))));
+  mpfr_init2(exact, std::max<mpfr_prec_t>(MPFR_PREC_MIN,
+                                          static_cast<mpfr_prec_t>(mpz_sizeinbase(q.numerator().mpz(), 2))));
   // The denominator is a power of two, and the precision holds the whole numerator: nothing is rounded yet.
   mpfr_set_q(exact, q.mpq(), MPFR_RNDN);
   const Interval result(mpfr_get_d(exact, MPFR_RNDD), mpfr_get_d(exact, MPFR_RNDU));
@@ -112,7 +113,8 @@ bool ExactRay::may_meet(const Box& box) const {
   // Along each axis the ray is inside the slab for a range of distances; the ranges must have a common point.
   double from = 0, to = HUGE_VAL;
   const auto slab = [&](double lo, double hi, const Interval& o, const Interval& d) {
-    if (d.inf() <= 0 && d.sup() >= 0) return !(d.inf() == 0 && d.sup() == 0) || (o.sup() >= lo && o.inf() <= hi);
+    if (d.inf() <= 0 && d.sup() >= 0)
+      return !(d.inf() == 0 && d.sup() == 0) || (o.sup() >= lo && o.inf() <= hi);
     const Interval a = (Interval(lo) - o) / d, b = (Interval(hi) - o) / d;
     from = std::max(from, std::min(a.inf(), b.inf()));
     to = std::min(to, std::max(a.sup(), b.sup()));

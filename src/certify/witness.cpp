@@ -83,7 +83,8 @@ bool WitnessChecker::in_frame(const ExactRay& ray, std::size_t frame) const {
 void WitnessChecker::check_hit(const ExactRay& ray, PrimitiveId target) const {
   if (target >= scene_.triangles().size()) reject(target, "not a triangle of the scene");
   const Passage p = ray.passage(scene_.corner(target, 0), scene_.corner(target, 1), scene_.corner(target, 2));
-  if (p.along == Sign::zero || p.reach != p.along) reject(target, "the ray does not reach the triangle's plane");
+  if (p.along == Sign::zero || p.reach != p.along)
+    reject(target, "the ray does not reach the triangle's plane");
   for (const Sign s : p.passes)
     if (s != p.along) reject(target, "the ray misses the triangle's relative interior");
   if (!shows(scene_, target, p.along)) reject(target, "the ray meets the side that is not there");
@@ -92,7 +93,8 @@ void WitnessChecker::check_hit(const ExactRay& ray, PrimitiveId target) const {
 void WitnessChecker::check_free(const ExactRay& ray, PrimitiveId target) const {
   tree_.any([&](const Box& box) { return ray.may_meet(box); },
             [&](std::uint32_t t) {
-              if (t != target && blocks(ray, t, target)) reject(target, fmt::format("triangle {} is in the way", t));
+              if (t != target && blocks(ray, t, target))
+                reject(target, fmt::format("triangle {} is in the way", t));
               return false;
             });
 }

@@ -14,10 +14,12 @@ WindowPoint window_point(const ViewGeometry& g, const Direction& ray) {
 Vec3d rounded(const WindowPoint& p) {
   const double x = CGAL::to_double(p.x), y = CGAL::to_double(p.y), w = CGAL::to_double(p.w);
   constexpr double smallest = 0x1p-900, largest = 0x1p900;
-  const bool safe = std::fabs(w) > smallest && std::fabs(w) < largest && std::fabs(x) < largest && std::fabs(y) < largest;
+  const bool safe =
+      std::fabs(w) > smallest && std::fabs(w) < largest && std::fabs(x) < largest && std::fabs(y) < largest;
   if (safe) return {x / w, y / w, 0};
   const Rational divisor = static_cast<Rational>(p.w);
-  return {CGAL::to_double(static_cast<Rational>(p.x) / divisor), CGAL::to_double(static_cast<Rational>(p.y) / divisor), 0};
+  return {CGAL::to_double(static_cast<Rational>(p.x) / divisor),
+          CGAL::to_double(static_cast<Rational>(p.y) / divisor), 0};
 }
 
 std::vector<WindowPoint> window_polygon(const ViewGeometry& g, const Cell& cell) {

@@ -81,8 +81,7 @@ void complete(const Signs<A>& signs, Facet<Hot<A>>& f) {
     e.points[1] = f.points[(k + 1) % 3];
     e.approx = signs.shadow(e);
   }
-  f.plane =
-      triangle_plane<Hot<A>>(signs.geometry(), *f.corners.p[0], *f.corners.p[1], *f.corners.p[2]);
+  f.plane = triangle_plane<Hot<A>>(signs.geometry(), *f.corners.p[0], *f.corners.p[1], *f.corners.p[2]);
 }
 
 /// Runs body(signs, range) over [0, n) in fixed chunks, in parallel, and adds up the counts.

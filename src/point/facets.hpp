@@ -12,7 +12,8 @@ namespace provis {
 /// An input point in the image.
 struct ImagePoint {
   Direction direction;
-  Sign side = Sign::positive;  ///< of the image: negative or zero where the point is not in front of the frame
+  Sign side =
+      Sign::positive;  ///< of the image: negative or zero where the point is not in front of the frame
 };
 
 /// A triangle that has hits: the cone in which the three edge lines are positive.

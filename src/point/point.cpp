@@ -17,10 +17,14 @@ namespace {
 
 FrameEngine choose_engine(Arithmetic arithmetic, QueryEffects effects) {
   switch (arithmetic) {
-    case Arithmetic::doubles: return doubles_engine(effects);
-    case Arithmetic::chain: return chain_engine(effects);
-    case Arithmetic::mpfr: return mpfr_engine();
-    case Arithmetic::exact: return exact_engine();
+    case Arithmetic::doubles:
+      return doubles_engine(effects);
+    case Arithmetic::chain:
+      return chain_engine(effects);
+    case Arithmetic::mpfr:
+      return mpfr_engine();
+    case Arithmetic::exact:
+      return exact_engine();
   }
   throw Error(Error::Code::usage, "arithmetic", "unknown policy");
 }
@@ -94,11 +98,10 @@ VisibleSet visible_from_point(const Scene& scene, const PointView& view, const P
     throw Error(Error::Code::unsupported, "scene",
                 "spheres are not handled by from-point queries: " + std::to_string(scene.spheres().size()) +
                     " of them");
-  if (options.witnesses && options.arithmetic == Arithmetic::doubles)
-    throw Error(Error::Code::usage, "witnesses", "plain doubles prove nothing");
-  const FrameEngine engine =
-      choose_engine(options.arithmetic,
-                    {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});
+  if ((options.witnesses || options.subdivision) && options.arithmetic == Arithmetic::doubles)
+    throw Error(Error::Code::usage, "arithmetic", "plain doubles prove no witness and bound no cell");
+  const FrameEngine engine = choose_engine(
+      options.arithmetic, {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});
   const int threads = context.threads > 0 ? context.threads : tbb::this_task_arena::max_concurrency();
   // An arena may hold more threads than there are cores only where the global limit allows it.
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,

@@ -73,9 +73,9 @@ class Traversal {
   Outcome run();
 
  private:
-  static constexpr int task_depth = 8;      ///< 256 parts of the window, each one task
+  static constexpr int task_depth = 8;  ///< 256 parts of the window, each one task
   static constexpr std::size_t leaf_size = 24;
-  static constexpr int most_stalls = 3;     ///< halvings in a row that separate nothing
+  static constexpr int most_stalls = 3;  ///< halvings in a row that separate nothing
 
   using Items = std::vector<Item>;
 
@@ -135,8 +135,8 @@ Outcome Traversal<A, E>::run() {
 /// Halves the window into tasks; what lies where is settled with the same tests as further down.
 template <Arithmetic A, QueryEffects E>
 Outcome Traversal<A, E>::split_in_tasks(Items items, const Window& window, int depth) {
-  const auto [first, second] = halves(window, depth);
-  if (depth == task_depth || items.size() <= leaf_size || !proper({first, second})) {
+  const auto split = halves(window, depth);
+  if (depth == task_depth || items.size() <= leaf_size || !proper(split)) {
     Outcome outcome = run_part(items, window, depth);
     query_.progress.add(std::ldexp(1.0, -depth));
     return outcome;
@@ -149,7 +149,8 @@ Outcome Traversal<A, E>::split_in_tasks(Items items, const Window& window, int d
       Part part{{query_.geometry, outcome.stats.signs}, outcome, shared_};
       const Tile tile = make_tile(part.signs, w);
       // Of the four borders only one is new.
-      const std::size_t border = depth % 2 == 0 ? (w.x0 == window.x0 ? 2u : 0u) : (w.y0 == window.y0 ? 3u : 1u);
+      const std::size_t border =
+          depth % 2 == 0 ? (w.x0 == window.x0 ? 2u : 0u) : (w.y0 == window.y0 ? 3u : 1u);
       mine = inside(part, items, tile.borders[border]);
       narrow(part, tile, mine);
       cull_behind_cover(part, tile, mine);
@@ -158,7 +159,7 @@ Outcome Traversal<A, E>::split_in_tasks(Items items, const Window& window, int d
     return outcome;
   };
   Outcome a, b;
-  tbb::parallel_invoke([&] { a = half(first); }, [&] { b = half(second); });
+  tbb::parallel_invoke([&] { a = half(split.first); }, [&] { b = half(split.second); });
   a.add(std::move(b));
   return a;
 }
@@ -189,7 +190,8 @@ void Traversal<A, E>::descend(Part& part, Items& items, const Window& window, in
   const Tile tile = make_tile(part.signs, window);
   narrow(part, tile, items);
   cull_behind_cover(part, tile, items);
-  const bool done = std::all_of(items.begin(), items.end(), [&](const Item& i) { return part.seen.get(i.slot); });
+  const bool done =
+      std::all_of(items.begin(), items.end(), [&](const Item& i) { return part.seen.get(i.slot); });
   if (done && !query_.options.subdivision) return;
 
   const auto h = halves(window, depth);
@@ -233,7 +235,8 @@ void Traversal<A, E>::narrow(Part& part, const Tile& tile, Items& items) const {
 
 /// The items not certainly beyond the border.
 template <Arithmetic A, QueryEffects E>
-typename Traversal<A, E>::Items Traversal<A, E>::inside(Part& part, const Items& items, const Line& border) const {
+typename Traversal<A, E>::Items Traversal<A, E>::inside(Part& part, const Items& items,
+                                                        const Line& border) const {
   Items out;
   for (const Item& item : items) {
     const FacetType& f = facets_.facets[item.facet];
@@ -247,7 +250,8 @@ typename Traversal<A, E>::Items Traversal<A, E>::inside(Part& part, const Items&
 
 /// Whether the facet lies strictly behind the plane of the cover everywhere in the tile.
 template <Arithmetic A, QueryEffects E>
-bool Traversal<A, E>::behind(Signs<A>& signs, const Tile& tile, std::uint32_t cover, std::uint32_t facet) const {
+bool Traversal<A, E>::behind(Signs<A>& signs, const Tile& tile, std::uint32_t cover,
+                             std::uint32_t facet) const {
   const FacetType &c = facets_.facets[cover], &f = facets_.facets[facet];
   Line nearer;
   nearer.kind = LineKind::depth;

@@ -4,20 +4,28 @@ namespace provis {
 
 std::string_view name(Status status) {
   switch (status) {
-    case Status::hidden: return "hidden";
-    case Status::undecided: return "undecided";
-    case Status::visible: return "visible";
+    case Status::hidden:
+      return "hidden";
+    case Status::undecided:
+      return "undecided";
+    case Status::visible:
+      return "visible";
   }
   return "?";
 }
 
 std::string_view name(Guarantee guarantee) {
   switch (guarantee) {
-    case Guarantee::exact: return "exact";
-    case Guarantee::aggressive: return "aggressive";
-    case Guarantee::conservative: return "conservative";
-    case Guarantee::bounds: return "bounds";
-    case Guarantee::sampled: return "sampled";
+    case Guarantee::exact:
+      return "exact";
+    case Guarantee::aggressive:
+      return "aggressive";
+    case Guarantee::conservative:
+      return "conservative";
+    case Guarantee::bounds:
+      return "bounds";
+    case Guarantee::sampled:
+      return "sampled";
   }
   return "?";
 }

@@ -64,8 +64,8 @@ WitnessPoint interior_point(const ViewGeometry& g, const Cell& cell, std::size_t
     n += weight;
     weight *= base;
   }
-  // A weighted mean of the corners lies strictly inside, so some precision keeps it there; the limit is far beyond
-  // what the coordinates of any cell can need, and only broken signs reach it.
+  // A weighted mean of the corners lies strictly inside, so some precision keeps it there; the limit is far
+  // beyond what the coordinates of any cell can need, and only broken signs reach it.
   constexpr int most_bits = 1 << 20;
   for (int bits = 32; bits <= most_bits; bits *= 2) {
     const WitnessPoint p{rounded_down(x / n, bits), rounded_down(y / n, bits)};

@@ -60,7 +60,8 @@ TEST_CASE("rays that do not are refused with the reason") {
   CHECK_THAT(refusal(walls, straight_ahead, ray(0, 0, 0, -1)), Catch::Contains("triangle 1 is in the way"));
   CHECK_THAT(refusal(walls, straight_ahead, ray(1, 7, 0, -8)), Catch::Contains("relative interior"));
   CHECK_THAT(refusal(walls, straight_ahead, ray(1, 0, -1, -1)), Catch::Contains("relative interior"));
-  CHECK_THAT(refusal(walls, straight_ahead, ray(0, 2, 0, -1)), Catch::Contains("does not belong to the view"));
+  CHECK_THAT(refusal(walls, straight_ahead, ray(0, 2, 0, -1)),
+             Catch::Contains("does not belong to the view"));
   CHECK_THAT(refusal(walls, straight_ahead, ray(1, 0, 0, 1)), Catch::Contains("does not belong to the view"));
   CHECK_THAT(refusal(walls, straight_ahead, ray(0, 0, 0, 0)), Catch::Contains("zero"));
   CHECK_THAT(refusal(walls, straight_ahead, ray(7, 0, 0, -1)), Catch::Contains("not a triangle"));

@@ -98,7 +98,8 @@ TEST_CASE("a line that only touches the cell does not cut it") {
   Bench b;
   const Line l = b.border(1);
   CellSigns s;
-  const auto [positive, negative] = b.cutter.classify(make_cell(b.tile, b.geometry.handedness), {&l, false}, s);
+  const auto [positive, negative] =
+      b.cutter.classify(make_cell(b.tile, b.geometry.handedness), {&l, false}, s);
   CHECK_FALSE(positive);
   CHECK(negative);
 }

@@ -18,9 +18,14 @@ TEST_CASE("CGAL's lower envelope gives the engine's set wherever it answers") {
     const Case c = generate(seed + offset);
     const EnvelopeOpinion opinion = ask_envelope(c);
     switch (opinion.outcome) {
-      case EnvelopeOpinion::crashed: ++crashed; continue;
-      case EnvelopeOpinion::refused: ++refused; continue;
-      case EnvelopeOpinion::answered: break;
+      case EnvelopeOpinion::crashed:
+        ++crashed;
+        continue;
+      case EnvelopeOpinion::refused:
+        ++refused;
+        continue;
+      case EnvelopeOpinion::answered:
+        break;
     }
     INFO(describe(c));
     REQUIRE(ids_of(engine_visible(c)) == opinion.visible);

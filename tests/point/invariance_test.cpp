@@ -34,7 +34,8 @@ void for_cases(const Body& body) {
 }  // namespace
 
 TEST_CASE("permuting triangles changes no set") {
-  for_cases([](const Case& c, const auto& set, std::uint64_t seed) { check(set, permute_triangles(c, seed)); });
+  for_cases(
+      [](const Case& c, const auto& set, std::uint64_t seed) { check(set, permute_triangles(c, seed)); });
 }
 
 TEST_CASE("rotating a triangle's vertices changes no set") {

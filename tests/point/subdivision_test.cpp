@@ -20,7 +20,8 @@ VisibleSet with_subdivision(const Scene& scene, const PointView& view) {
 mpq_class window_area(const PointView& view) {
   mpq_class sum = 0;
   for (const Frame& f : view.frames)
-    sum += (mpq_class(f.window.x1) - mpq_class(f.window.x0)) * (mpq_class(f.window.y1) - mpq_class(f.window.y0));
+    sum +=
+        (mpq_class(f.window.x1) - mpq_class(f.window.x0)) * (mpq_class(f.window.y1) - mpq_class(f.window.y0));
   return sum;
 }
 
@@ -76,9 +77,15 @@ TEST_CASE("a triangle before the background has the area of its projection") {
 }
 
 TEST_CASE("coincident triangles share their cells, and a see-through one before them joins in") {
-  SceneArrays a = triangles({{-1, -1, -2}, {1, -1, -2}, {-1, 1, -2},  //
-                             {-1, -1, -2}, {-1, 1, -2}, {1, -1, -2},  //
-                             {-.5, -.5, -1}, {.5, -.5, -1}, {-.5, .5, -1}})
+  SceneArrays a = triangles({{-1, -1, -2},
+                             {1, -1, -2},
+                             {-1, 1, -2},  //
+                             {-1, -1, -2},
+                             {-1, 1, -2},
+                             {1, -1, -2},  //
+                             {-.5, -.5, -1},
+                             {.5, -.5, -1},
+                             {-.5, .5, -1}})
                       .arrays();
   a.triangle_flags[2] = see_through;
   const VisibleSet set = with_subdivision(Scene(a), {{0, 0, 0}, Projection::pinhole, {Frame{}}});

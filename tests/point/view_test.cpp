@@ -24,8 +24,12 @@ std::string refusal(const PointView& view) {
 }  // namespace
 
 TEST_CASE("an axis-aligned camera has axis-aligned vectors") {
-  const PointView v = look_at({.eye = {1, 2, 3}, .direction = {0, 0, -5}, .up = {0, 2, 0}, .fovy_degrees = 90,
-                               .width = 200, .height = 100});
+  const PointView v = look_at({.eye = {1, 2, 3},
+                               .direction = {0, 0, -5},
+                               .up = {0, 2, 0},
+                               .fovy_degrees = 90,
+                               .width = 200,
+                               .height = 100});
   REQUIRE(v.frames.size() == 1);
   const Frame& f = v.frames[0];
   CHECK(f.forward == Vec3d{0, 0, -1});

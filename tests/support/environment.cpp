@@ -34,7 +34,8 @@ std::filesystem::path shared_scenes_folder() {
 std::optional<std::filesystem::path> shared_scene(const std::string& name) {
   const std::filesystem::path file = shared_scenes_folder() / (name + ".glb");
   if (std::filesystem::exists(file)) return file;
-  if (number("PROVIS_REQUIRE_SCENES", 0) == 1) throw std::runtime_error("required scene is missing: " + file.string());
+  if (number("PROVIS_REQUIRE_SCENES", 0) == 1)
+    throw std::runtime_error("required scene is missing: " + file.string());
   static int skipped = 0;
   std::cout << "skipped (" << ++skipped << " so far), no such scene: " << file.string() << '\n';
   return std::nullopt;

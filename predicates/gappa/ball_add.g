@@ -1,0 +1,31 @@
+# ERRORS.md, 3: the radius of a sum or difference. a and b are the radii of the operands, v is |value| of the
+# result. What the radius has to hold, needed, is normalised to [1/2, 1]; what is computed exceeds it by 2^-51.
+
+@up = float<ieee_64, up>;
+@dn = float<ieee_64, dn>;
+@zr = float<ieee_64, zr>;
+@ne = float<ieee_64, ne>;
+
+a = up(any_a);
+b = up(any_b);
+v = up(any_v);
+needed = a + b + 1b-52 * v;
+radius_up up= (a + b + 1b-52 * v) * (1 + 1b-48);
+radius_dn dn= (a + b + 1b-52 * v) * (1 + 1b-48);
+radius_zr zr= (a + b + 1b-52 * v) * (1 + 1b-48);
+radius_ne ne= (a + b + 1b-52 * v) * (1 + 1b-48);
+
+{ a in [0, 1] /\
+  b in [0, 1] /\
+  v in [0, 1b52] /\
+  needed in [0.5, 1]
+  ->
+  radius_up - needed >= 1b-51 /\
+  radius_dn - needed >= 1b-51 /\
+  radius_zr - needed >= 1b-51 /\
+  radius_ne - needed >= 1b-51 }
+
+radius_up - needed -> (radius_up - needed * (1 + 1b-48)) + needed * 1b-48;
+radius_dn - needed -> (radius_dn - needed * (1 + 1b-48)) + needed * 1b-48;
+radius_zr - needed -> (radius_zr - needed * (1 + 1b-48)) + needed * 1b-48;
+radius_ne - needed -> (radius_ne - needed * (1 + 1b-48)) + needed * 1b-48;

@@ -1,0 +1,160 @@
+// provis point: what is visible from a point.
+
+#include "provis/point.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <optional>
+
+#include "provis/effects.hpp"
+#include "provis/error.hpp"
+#include "provis/result_file.hpp"
+#include "provis/witness.hpp"
+#include "src/cli/arguments.hpp"
+#include "src/cli/output.hpp"
+#include "src/cli/progress.hpp"
+#include "src/cli/run.hpp"
+#include "src/cli/scene_options.hpp"
+#include "src/cli/view_options.hpp"
+#include "src/report/names.hpp"
+#include "src/report/scene_report.hpp"
+#include "src/report/summary.hpp"
+
+namespace provis {
+
+namespace {
+
+constexpr std::uint64_t most_threads = 4096;
+
+struct PointCommand {
+  SceneOptions source;
+  ViewOptions view;
+  std::string method = "exact", arithmetic = "chain", threads = "0";
+  std::string out, ids;
+  bool witness = false, subdivision = false, effects = false, stats = false;
+
+  void add_to(CLI::App& command);
+  void run(Run& run) const;
+
+ private:
+  ResultFile query(const Scene& scene, const PointView& where, Run& run) const;
+  bool result_on_stdout() const { return out == "-" || ids == "-"; }
+  // Talk gives way to a result that is on its way to standard output.
+  void say(const std::string& text) const;
+};
+
+void PointCommand::say(const std::string& text) const {
+  if (result_on_stdout()) {
+    std::cerr << text;
+  } else {
+    print(text);
+  }
+}
+
+ResultFile PointCommand::query(const Scene& scene, const PointView& where, Run& run) const {
+  PointOptions options;
+  options.arithmetic = arithmetic_named(arithmetic).value();
+  options.witnesses = witness;
+  options.subdivision = subdivision;
+
+  ResultFile result;
+  ResultHeader& header = result.header;
+  header.scene_file = source.file;
+  header.scene_hash = scene.hash();
+  header.triangles = scene.triangles().size();
+  header.spheres = scene.spheres().size();
+  header.view = where;
+  header.options = source.recorded();
+  header.options["method"] = method;
+  header.options["arithmetic"] = arithmetic;
+
+  ProgressLine line;
+  Context context = run.context;
+  if (line.enabled()) context.on_progress = [&](const Progress& progress) { line.show(progress); };
+  result.set = visible_from_point(scene, where, options, context);
+  if (witness) {
+    run.stage("verifying the witnesses");
+    const std::size_t held = verify_witnesses(scene, where, result.set, context);
+    say(fmt::format("verified   {} witnesses, each against all {} triangles\n", held, header.triangles));
+  }
+  return result;
+}
+
+void PointCommand::run(Run& run) const {
+  source.validate();
+  if (out == "-" && ids == "-") {
+    throw Error(Error::Code::usage, "--ids", "standard output can take only one of --out and --ids");
+  }
+  run.context.threads = static_cast<int>(parse_whole("--threads", threads, 0, most_threads));
+  const PointView where = view.view(source.file);
+  std::optional<Output> result_output, ids_output;
+  if (!out.empty()) result_output.emplace(out);
+  if (!ids.empty()) ids_output.emplace(ids);
+
+  const Scene loaded = source.load(run);
+  if (effects) say(effects_text(plan_effects(loaded, where.projection)));
+  run.stage("computing what is visible");
+  const ResultFile result = query(loaded, where, run);
+
+  run.stage("writing the result");
+  if (result_output) write_result(result, result_output->stream());
+  if (ids_output) write_ids(result.set, ids_output->stream());
+  if (result_output) result_output->commit();
+  if (ids_output) ids_output->commit();
+  if (!result_output && !ids_output) print(summary(result));
+  if (stats) say(sign_table(result.set.stats.signs));
+}
+
+void PointCommand::add_to(CLI::App& command) {
+  source.add_to(command);
+  view.add_to(command);
+  command.add_option("--method", method, "How the set is found: 'exact' decides every primitive [exact]")
+      ->check(CLI::IsMember({"exact"}))
+      ->type_name("");
+  command
+      .add_option(
+          "--arithmetic", arithmetic,
+          "How signs are computed: 'chain' is certain and fast, 'mpfr' and 'exact' are certain and slow, "
+          "'doubles' is sometimes wrong and for comparison only [chain]")
+      ->check(CLI::IsMember({"chain", "doubles", "mpfr", "exact"}))
+      ->type_name("");
+  command
+      .add_option("--threads", threads,
+                  "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]")
+      ->type_name("N");
+  const char* output = "Output";
+  command.add_option("--out", out, "Write the result as JSON; '-' is standard output")
+      ->type_name("FILE")
+      ->group(output);
+  command.add_option("--ids", ids, "Write one visible id per line, ascending; '-' is standard output")
+      ->type_name("FILE")
+      ->group(output);
+  command.add_flag("--witness", witness, "Add to the result a verified proof for each visible primitive")
+      ->group(output);
+  command
+      .add_flag("--subdivision", subdivision,
+                "Add to the result the cells of the window with their exact areas")
+      ->group(output);
+  command.add_flag("--effects", effects, "Print which effects are simulated, and why")->group(output);
+  command.add_flag("--stats", stats, "Print how many signs each tier of the arithmetic decided")
+      ->group(output);
+  command.footer(
+      "Without --out or --ids a summary of about ten lines goes to standard output.\n\n"
+      "Examples:\n"
+      "  provis point house.glb --eye 0,1.8,0 --dir 1,0,0\n"
+      "  provis point house.glb --eye 0,1.8,0 --view omni --out house.json --ids house.ids\n"
+      "  provis point house.glb --views views.json:entrance --out house.json");
+}
+
+}  // namespace
+
+Action add_point(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("point", "Compute the set of primitives visible from a point");
+  const auto options = std::make_shared<PointCommand>();
+  options->add_to(*command);
+  return [options](Run& run) { options->run(run); };
+}
+
+}  // namespace provis

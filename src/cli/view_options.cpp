@@ -1,0 +1,82 @@
+#include "src/cli/view_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "provis/error.hpp"
+#include "src/cli/arguments.hpp"
+#include "src/cli/view_request.hpp"
+#include "src/cli/views_file.hpp"
+#include "src/report/names.hpp"
+
+namespace provis {
+
+namespace {
+
+constexpr const char* group = "Where from, where to";
+
+std::optional<Vec3d> optional_vec3(const std::string& option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return parse_vec3(option, text);
+}
+
+// FILE:NAME, cut at the last colon; NAME holds none.
+ViewRequest named_request(const std::string& text, const std::string& scene_file) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == text.size()) {
+    throw Error(Error::Code::usage, "--views", "expected FILE:NAME, got \"" + text + "\"");
+  }
+  return read_named_view(text.substr(0, colon), text.substr(colon + 1), scene_file);
+}
+
+}  // namespace
+
+void ViewOptions::add_to(CLI::App& command) {
+  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
+    return command.add_option(name, value, help)->type_name(type)->group(group);
+  };
+  add("--eye", eye, "x,y,z", "Viewpoint, in scene units (required, unless --views is given)");
+  add("--dir", dir, "x,y,z", "Direction of view, of any length but 0");
+  add("--look-at", look_at, "x,y,z", "Instead of --dir: a point to look at, in scene units");
+  add("--up", up, "x,y,z",
+      "Upward direction of the camera; with --right and --forward, the frame's up vector verbatim [0,1,0; "
+      "0,0,-1 if parallel to the direction]");
+  add("--fovy", fovy, "DEG", "Vertical field of view in degrees, above 0 and below 180 [60]");
+  add("--size", size, "WxH",
+      "Pixels, 1 to 16384 each: gives the window's aspect and changes nothing else [1280x720]");
+  add("--view", projection, "",
+      "'pinhole': a window; 'omni': the whole sphere of directions; 'parallel': an eye at infinity, the "
+      "window "
+      "in scene units and only what is in front of it [pinhole]")
+      ->check(CLI::IsMember({"pinhole", "omni", "parallel"}));
+  add("--window", window, "x0,x1,y0,y1",
+      "Rectangle of the image plane at distance 1: rays run along forward + x right + y up [from --fovy and "
+      "--size]");
+  add("--right", right, "x,y,z", "The frame verbatim, with --up, --forward and --window: taken as exact");
+  add("--forward", forward, "x,y,z", "See --right");
+  add("--views", views, "FILE:NAME",
+      "Take the view called NAME from a JSON file of views; only --size may go with it")
+      ->excludes("--eye", "--dir", "--look-at", "--up", "--fovy", "--view", "--window", "--right",
+                 "--forward");
+}
+
+PointView ViewOptions::view(const std::string& scene_file) const {
+  if (!views.empty()) {
+    ViewRequest request = named_request(views, scene_file);
+    if (!size.empty()) request.size = parse_size("--size", size);
+    return build_view(request, "--views " + views + ": ");
+  }
+  ViewRequest request;
+  if (!projection.empty()) request.projection = projection_named(projection).value();
+  request.eye = optional_vec3("--eye", eye);
+  request.dir = optional_vec3("--dir", dir);
+  request.look_at = optional_vec3("--look-at", look_at);
+  request.right = optional_vec3("--right", right);
+  request.up = optional_vec3("--up", up);
+  request.forward = optional_vec3("--forward", forward);
+  if (!window.empty()) request.window = parse_window("--window", window);
+  if (!fovy.empty()) request.fovy_degrees = parse_number("--fovy", fovy);
+  if (!size.empty()) request.size = parse_size("--size", size);
+  return build_view(request, "--");
+}
+
+}  // namespace provis

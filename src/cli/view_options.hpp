@@ -1,0 +1,23 @@
+#pragma once
+// The options that say where a query looks from, and where to.
+
+#include <string>
+
+#include "provis/view.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace provis {
+
+struct ViewOptions {
+  std::string eye, dir, look_at, right, up, forward, window, projection, views, fovy, size;
+
+  void add_to(CLI::App& command);
+
+  /// Throws:     Error::usage naming the option; Error::invalid_input for a bad file of views
+  PointView view(const std::string& scene_file) const;
+};
+
+}  // namespace provis

@@ -1,0 +1,56 @@
+#include "src/report/names.hpp"
+
+#include <initializer_list>
+
+namespace provis {
+
+namespace {
+
+template <class Enum>
+std::optional<Enum> named(std::string_view word, std::initializer_list<Enum> all) {
+  for (Enum value : all) {
+    if (name(value) == word) return value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name(Projection projection) {
+  switch (projection) {
+    case Projection::pinhole:
+      return "pinhole";
+    case Projection::parallel:
+      return "parallel";
+    case Projection::omni:
+      return "omni";
+  }
+  return "unknown";
+}
+
+std::string_view name(Sides sides) { return sides == Sides::both ? "both" : "material"; }
+
+std::string_view name(Opacity opacity) { return opacity == Opacity::all ? "all" : "material"; }
+
+std::optional<Projection> projection_named(std::string_view word) {
+  return named(word, {Projection::pinhole, Projection::parallel, Projection::omni});
+}
+
+std::optional<Sides> sides_named(std::string_view word) {
+  return named(word, {Sides::material, Sides::both});
+}
+
+std::optional<Opacity> opacity_named(std::string_view word) {
+  return named(word, {Opacity::material, Opacity::all});
+}
+
+std::optional<Arithmetic> arithmetic_named(std::string_view word) {
+  return named(word, {Arithmetic::chain, Arithmetic::doubles, Arithmetic::mpfr, Arithmetic::exact});
+}
+
+std::optional<Guarantee> guarantee_named(std::string_view word) {
+  return named(word, {Guarantee::exact, Guarantee::aggressive, Guarantee::conservative, Guarantee::bounds,
+                      Guarantee::sampled});
+}
+
+}  // namespace provis

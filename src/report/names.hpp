@@ -1,0 +1,25 @@
+#pragma once
+// Enumerations as the words that result files and the command line use for them, both ways.
+
+#include <optional>
+#include <string_view>
+
+#include "provis/arithmetic.hpp"
+#include "provis/scene.hpp"
+#include "provis/view.hpp"
+#include "provis/visible_set.hpp"
+
+namespace provis {
+
+std::string_view name(Projection projection);
+std::string_view name(Sides sides);
+std::string_view name(Opacity opacity);
+
+/// The enumerator of that name, or nothing.
+std::optional<Projection> projection_named(std::string_view word);
+std::optional<Sides> sides_named(std::string_view word);
+std::optional<Opacity> opacity_named(std::string_view word);
+std::optional<Arithmetic> arithmetic_named(std::string_view word);
+std::optional<Guarantee> guarantee_named(std::string_view word);
+
+}  // namespace provis

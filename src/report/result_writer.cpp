@@ -1,0 +1,168 @@
+// The writer of "provis.visible-set": a stream of short pieces, so that memory does not grow with the
+// text. The order of the members is fixed; two runs differ in "stats" only.
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "provis/error.hpp"
+#include "provis/result_file.hpp"
+#include "src/report/names.hpp"
+#include "src/report/result_keys.hpp"
+#include "src/scene/atomic_file.hpp"
+
+namespace provis {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no word for infinity: writing one would make a file that cannot be read back.
+double finite(double value) {
+  if (!std::isfinite(value)) throw Error(Error::Code::internal, "result file", "a number is not finite");
+  return value;
+}
+
+Json json(const Vec3d& v) { return {finite(v.x), finite(v.y), finite(v.z)}; }
+
+Json json(const Window& w) { return {finite(w.x0), finite(w.x1), finite(w.y0), finite(w.y1)}; }
+
+Json json(const Frame& frame) {
+  return {{"right", json(frame.right)},
+          {"up", json(frame.up)},
+          {"forward", json(frame.forward)},
+          {"window", json(frame.window)}};
+}
+
+Json json(const Dyadic& number) { return Json::array({number.mantissa, number.exponent}); }
+
+Json json(const Vec3<Dyadic>& v) { return Json::array({json(v.x), json(v.y), json(v.z)}); }
+
+Json json(const Witness& witness) {
+  return {
+      {"id", witness.primitive}, {"origin", json(witness.origin)}, {"direction", json(witness.direction)}};
+}
+
+Json json(const SubdivisionCell& cell) {
+  Json corners = Json::array();
+  for (const Vec3d& corner : cell.corners) corners.push_back({finite(corner.x), finite(corner.y)});
+  return {{"frame", cell.frame},
+          {"corners", std::move(corners)},
+          {"area", cell.area},
+          {"area_rounded", finite(cell.area_rounded)},
+          {"visible", cell.visible}};
+}
+
+Json query(const ResultHeader& header) {
+  const PointView& view = header.view;
+  if (view.frames.empty()) throw Error(Error::Code::internal, "result file", "a view without frames");
+  Json query = {{"kind", "point"}, {"projection", name(view.projection)}, {"eye", json(view.eye)}};
+  if (view.projection == Projection::omni) {
+    query["frames"] = Json::array();
+    for (const Frame& frame : view.frames) query["frames"].push_back(json(frame));
+  } else {
+    query.update(json(view.frames.front()));
+  }
+  for (const auto& [option, value] : header.options) {
+    if (is_view_key(option)) throw Error(Error::Code::internal, "result file", "option named " + option);
+    query[option] = value;
+  }
+  return query;
+}
+
+Json json(const SignCounts& counts) {
+  Json table = Json::object();
+  for (int p = 0; p < predicate_count; ++p) {
+    Json& row = table[std::string(name(static_cast<Predicate>(p)))];
+    for (int t = 0; t < tier_count; ++t) {
+      row[std::string(name(static_cast<Tier>(t)))] =
+          counts.at(static_cast<Predicate>(p), static_cast<Tier>(t));
+    }
+  }
+  return table;
+}
+
+Json json(const QueryStats& stats) {
+  return {{"seconds", finite(stats.seconds)},
+          {"cpu_seconds", finite(stats.cpu_seconds)},
+          {"threads", stats.threads},
+          {"nodes", stats.nodes},
+          {"leaves", stats.leaves},
+          {"samples", stats.samples},
+          {"subtractions", stats.subtractions},
+          {"signs", json(stats.signs)}};
+}
+
+void write_member(std::ostream& out, const char* key, const Json& value) {
+  out << ",\n\"" << key << "\": " << value.dump();
+}
+
+// Twenty to a line: short enough to look at, and a million ids make no million lines.
+void write_id_array(std::ostream& out, const char* key, const std::vector<PrimitiveId>& ids) {
+  constexpr std::size_t per_line = 20;
+  out << ",\n\"" << key << "\": [";
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (i > 0) out << (i % per_line == 0 ? ",\n" : ",");
+    out << ids[i];
+  }
+  out << "]";
+}
+
+template <class Item>
+void write_items(std::ostream& out, const char* key, const std::vector<Item>& items) {
+  if (items.empty()) return;
+  out << ",\n\"" << key << "\": [\n";
+  for (std::size_t i = 0; i < items.size(); ++i) out << (i > 0 ? ",\n" : "") << json(items[i]).dump();
+  out << "]";
+}
+
+}  // namespace
+
+void write_result(const ResultFile& result, std::ostream& out) {
+  const ResultHeader& header = result.header;
+  const VisibleSet& set = result.set;
+  const std::vector<PrimitiveId> visible = set.with(Status::visible);
+  const std::vector<PrimitiveId> undecided = set.with(Status::undecided);
+
+  out << "{\"format\": \"" << result_format << "\",\n\"version\": " << result_version;
+  write_member(out, "program", {{"name", "provis"}, {"version", PROVIS_VERSION}});
+  write_member(out, "scene",
+               {{"file", header.scene_file},
+                {"hash", header.scene_hash},
+                {"triangles", header.triangles},
+                {"spheres", header.spheres}});
+  write_member(out, "query", query(header));
+  write_member(out, "answers", set.answers);
+  write_member(out, "guarantee", name(set.guarantee));
+  write_member(out, "counts",
+               {{"visible", visible.size()},
+                {"hidden", set.status.size() - visible.size() - undecided.size()},
+                {"undecided", undecided.size()}});
+  write_member(out, "eye_on_primitive", set.eye_on_primitive);
+  write_id_array(out, "visible", visible);
+  write_id_array(out, "undecided", undecided);
+  write_items(out, "witnesses", set.witnesses);
+  write_items(out, "subdivision", set.subdivision);
+  write_member(out, "stats", json(set.stats));
+  out << "}\n";
+}
+
+void write_result(const ResultFile& result, const std::filesystem::path& file) {
+  AtomicFile target(file);
+  write_result(result, target.stream());
+  target.commit();
+}
+
+void write_ids(const VisibleSet& set, std::ostream& out) {
+  for (std::size_t id = 0; id < set.status.size(); ++id) {
+    if (set.status[id] == Status::visible) out << id << '\n';
+  }
+}
+
+void write_ids(const VisibleSet& set, const std::filesystem::path& file) {
+  AtomicFile target(file);
+  write_ids(set, target.stream());
+  target.commit();
+}
+
+}  // namespace provis

@@ -1,0 +1,100 @@
+#include "src/report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <iterator>
+
+#include "src/report/names.hpp"
+
+namespace provis {
+
+namespace {
+
+std::array<std::uint64_t, tier_count> by_tier(const SignCounts& signs) {
+  std::array<std::uint64_t, tier_count> sums{};
+  for (const auto& row : signs.decided) {
+    for (std::size_t t = 0; t < row.size(); ++t) sums[t] += row[t];
+  }
+  return sums;
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string text(const Vec3d& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+
+std::string query_text(const PointView& view) {
+  if (view.projection == Projection::omni) return fmt::format("omni from {}", text(view.eye));
+  const Frame& frame = view.frames.front();
+  const Window& w = frame.window;
+  return fmt::format("{} from {} along {}, window {:.6g},{:.6g},{:.6g},{:.6g}", name(view.projection),
+                     text(view.eye), text(frame.forward), w.x0, w.x1, w.y0, w.y1);
+}
+
+std::string options_text(const std::map<std::string, std::string>& options) {
+  std::string line;
+  for (const auto& [option, value] : options) {
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", option, value);
+  }
+  return line;
+}
+
+std::string signs_text(const SignCounts& signs) {
+  const auto sums = by_tier(signs);
+  std::uint64_t total = 0;
+  for (std::uint64_t sum : sums) total += sum;
+  std::string line = fmt::format("{}", total);
+  for (std::size_t t = 0; t < sums.size(); ++t) {
+    line += fmt::format("{} {} {:.4g} %", t == 0 ? ":" : ",", name(static_cast<Tier>(t)),
+                        percent(sums[t], total));
+  }
+  return line;
+}
+
+}  // namespace
+
+std::string summary(const ResultFile& result) {
+  const ResultHeader& header = result.header;
+  const VisibleSet& set = result.set;
+  const QueryStats& stats = set.stats;
+  const std::size_t visible = set.with(Status::visible).size();
+  const std::size_t undecided = set.with(Status::undecided).size();
+  const std::size_t total = set.status.size();
+  std::string text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "scene      {} ({} triangles, {} spheres)\n", header.scene_file, header.triangles,
+                 header.spheres);
+  fmt::format_to(out, "hash       {}\n", header.scene_hash);
+  fmt::format_to(out, "query      {}\n", query_text(header.view));
+  fmt::format_to(out, "options    {}\n", options_text(header.options));
+  fmt::format_to(out, "visible    {} ({:.4g} %)\n", visible, percent(visible, total));
+  fmt::format_to(out, "hidden     {}\n", total - visible - undecided);
+  fmt::format_to(out, "undecided  {}\n", undecided);
+  fmt::format_to(out, "guarantee  {}, answers {}{}\n", name(set.guarantee), set.answers,
+                 set.eye_on_primitive ? ", eye-on-primitive" : "");
+  fmt::format_to(out, "time       {:.3f} s on {} thread{} ({:.3f} s of CPU)\n", stats.seconds, stats.threads,
+                 stats.threads == 1 ? "" : "s", stats.cpu_seconds);
+  fmt::format_to(out, "signs      {}\n", signs_text(stats.signs));
+  if (!set.witnesses.empty()) fmt::format_to(out, "witnesses  {}\n", set.witnesses.size());
+  if (!set.subdivision.empty()) fmt::format_to(out, "cells      {}\n", set.subdivision.size());
+  return text;
+}
+
+std::string sign_table(const SignCounts& signs) {
+  std::string text = fmt::format("{:<14}", "predicate");
+  auto out = std::back_inserter(text);
+  for (int t = 0; t < tier_count; ++t) fmt::format_to(out, "{:>14}", name(static_cast<Tier>(t)));
+  for (int p = 0; p < predicate_count; ++p) {
+    fmt::format_to(out, "\n{:<14}", name(static_cast<Predicate>(p)));
+    for (int t = 0; t < tier_count; ++t) {
+      fmt::format_to(out, "{:>14}", signs.at(static_cast<Predicate>(p), static_cast<Tier>(t)));
+    }
+  }
+  fmt::format_to(out, "\n{:<14}", "all");
+  for (std::uint64_t sum : by_tier(signs)) fmt::format_to(out, "{:>14}", sum);
+  return text + "\n";
+}
+
+}  // namespace provis

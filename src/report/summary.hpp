@@ -1,0 +1,16 @@
+#pragma once
+// A result as text for people.
+
+#include <string>
+
+#include "provis/result_file.hpp"
+
+namespace provis {
+
+/// About ten lines: the scene, the query, the counts, what is claimed and what it cost.
+std::string summary(const ResultFile& result);
+
+/// One row per predicate, one column per tier: how often each decided.
+std::string sign_table(const SignCounts& signs);
+
+}  // namespace provis

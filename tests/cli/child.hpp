@@ -1,0 +1,37 @@
+#pragma once
+// The built program as a child process, and a small scene for it.
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace provis {
+
+struct Outcome {
+  int status = -1;  ///< exit status, or 128 + the signal that ended it
+  std::string out, err;
+};
+
+/// One run of the program.
+class Child {
+ public:
+  /// Starts it; shell, if not empty, is run first ("ulimit -v 100000").
+  explicit Child(const std::vector<std::string>& arguments, const std::string& shell = "");
+
+  pid_t pid() const { return pid_; }
+  Outcome wait();
+
+ private:
+  pid_t pid_ = -1;
+  int out_ = -1, err_ = -1;  ///< nameless files that take what it says
+};
+
+/// Runs it to its end.
+Outcome provis_run(const std::vector<std::string>& arguments, const std::string& shell = "");
+
+/// Writes a scene to look at from the origin along -z: triangle 0 hides 1; 2 is beside them, 3 has no area.
+std::string write_small_scene(const std::filesystem::path& file);
+
+}  // namespace provis

@@ -1,0 +1,147 @@
+// point: the answer, the files it is written to, and what may differ between runs.
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "provis/point.hpp"
+#include "provis/result_file.hpp"
+#include "tests/cli/child.hpp"
+#include "tests/scene/files.hpp"
+
+using namespace provis;
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+namespace {
+
+Words operator+(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+// A query with the scene it needs.
+struct Query {
+  TempFolder directory;
+  std::string scene = write_small_scene(directory.path() / "s.ply");
+  Words words = {"point", scene, "--eye", "0,0,0", "--dir", "0,0,-1"};
+
+  std::string path(const std::string& name) const { return (directory.path() / name).string(); }
+  Outcome run(const Words& more) const { return provis_run(words + more); }
+};
+
+}  // namespace
+
+TEST_CASE("the summary fits on a screen and holds the answer") {
+  const Query query;
+  const Outcome outcome = query.run({});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') == 10);
+  CHECK_THAT(outcome.out, Catch::Contains("visible    2 (50 %)"));
+  CHECK_THAT(outcome.out, Catch::Contains("hidden     2\n"));
+  CHECK_THAT(outcome.out, Catch::Contains("undecided  0\n"));
+  CHECK_THAT(outcome.out, Catch::Contains("guarantee  exact, answers R7"));
+}
+
+TEST_CASE("the result file is what the library computes, and the ids are its visible list") {
+  const Query query;
+  const Outcome outcome = query.run({"--out", query.path("r.json"), "--ids", query.path("ids")});
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.out.empty());
+  const ResultFile result = read_result(query.path("r.json"));
+  const Scene scene = load_scene(query.scene);
+  LookAt camera;
+  camera.direction = {0, 0, -1};
+  const VisibleSet expected = visible_from_point(scene, look_at(camera));
+  CHECK(result.set.status == expected.status);
+  CHECK(result.set.with(Status::visible) == std::vector<PrimitiveId>{0, 2});
+  CHECK(result.header.scene_file == query.scene);
+  CHECK(result.header.scene_hash == scene.hash());
+  CHECK(result.header.view.frames == look_at(camera).frames);
+  CHECK(result.header.options == std::map<std::string, std::string>{{"arithmetic", "chain"},
+                                                                    {"method", "exact"},
+                                                                    {"opacity", "material"},
+                                                                    {"perturb", "0"},
+                                                                    {"seed", "0"},
+                                                                    {"sides", "material"}});
+  CHECK(read_text(query.path("ids")) == "0\n2\n");
+}
+
+TEST_CASE("threads change nothing but stats") {
+  const Query query;
+  Json first;
+  for (const char* threads : {"1", "2", "7"}) {
+    const Outcome outcome = query.run({"--threads", threads, "--witness", "--subdivision", "--out", "-"});
+    REQUIRE(outcome.status == 0);
+    Json json = Json::parse(outcome.out);
+    CHECK(json["stats"]["threads"] == std::stoi(threads));
+    CHECK(json["witnesses"].size() == 2);
+    CHECK(json["subdivision"].size() > 0);
+    json.erase("stats");
+    if (first.is_null()) first = json;
+    CHECK(json == first);
+  }
+}
+
+TEST_CASE("every certain arithmetic gives the same set; doubles claim nothing") {
+  const Query query;
+  for (const char* arithmetic : {"chain", "mpfr", "exact"}) {
+    const Outcome outcome = query.run({"--arithmetic", arithmetic, "--ids", "-"});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out == "0\n2\n");
+  }
+  CHECK(Json::parse(query.run({"--arithmetic", "doubles", "--out", "-"}).out)["guarantee"] == "sampled");
+}
+
+TEST_CASE("a frame given verbatim is recorded verbatim") {
+  const Query query;
+  const Outcome outcome =
+      provis_run({"point", query.scene, "--eye", "0.1,0,0", "--right", "1,0,0.1", "--up", "0,2,0",
+                  "--forward", "0,0,-3", "--window", "-1,1,-0.5,0.5", "--out", query.path("r.json")});
+  REQUIRE(outcome.status == 0);
+  const ResultFile result = read_result(query.path("r.json"));
+  CHECK(result.header.view.eye == Vec3d{0.1, 0, 0});
+  CHECK(result.header.view.frames ==
+        std::vector<Frame>{Frame{{1, 0, 0.1}, {0, 2, 0}, {0, 0, -3}, {-1, 1, -0.5, 0.5}}});
+}
+
+TEST_CASE("omni and parallel views") {
+  const Query query;
+  const Outcome around = provis_run({"point", query.scene, "--eye", "0,0,0", "--view", "omni", "--ids", "-"});
+  CHECK(around.status == 0);
+  CHECK(around.out == "0\n2\n");
+  const Outcome parallel = query.run({"--view", "parallel", "--window", "-2,2,-2,2", "--ids", "-"});
+  CHECK(parallel.status == 0);
+  CHECK(parallel.out == "0\n2\n");
+}
+
+TEST_CASE("a named view is the view that it names") {
+  const Query query;
+  std::ofstream(query.path("views.json"))
+      << R"([{"scene": "s.ply", "name": "v", "eye": [0, 0, 0], "dir": [0, 0, -1], "up": [0, 1, 0], "fovy_deg": 60}])";
+  const Outcome named =
+      provis_run({"point", query.scene, "--views", query.path("views.json") + ":v", "--out", "-"});
+  REQUIRE(named.status == 0);
+  Json a = Json::parse(named.out), b = Json::parse(query.run({"--out", "-"}).out);
+  a.erase("stats");
+  b.erase("stats");
+  CHECK(a == b);
+}
+
+TEST_CASE("a perturbed query says so") {
+  const Query query;
+  const Json json = Json::parse(query.run({"--perturb", "1e-8", "--seed", "3", "--out", "-"}).out);
+  CHECK(json["query"]["perturb"] == "1e-08");
+  CHECK(json["query"]["seed"] == "3");
+  CHECK(json["scene"]["hash"] == perturb(load_scene(query.scene), 1e-8, 3).hash());
+}
+
+TEST_CASE("talk gives way to a result on standard output") {
+  const Query query;
+  const Outcome piped = query.run({"--ids", "-", "--stats", "--effects"});
+  CHECK(piped.out == "0\n2\n");
+  CHECK_THAT(piped.err, Catch::Contains("predicate") && Catch::Contains("effect     single-sided"));
+  const Outcome shown = query.run({"--stats", "--effects"});
+  CHECK(shown.err.empty());
+  CHECK_THAT(shown.out, Catch::Contains("predicate") && Catch::Contains("effect     single-sided"));
+}
