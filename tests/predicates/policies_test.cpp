@@ -43,7 +43,7 @@ std::vector<Sign> answers(Family family, std::uint64_t seed, SignCounts& counts)
 
 }  // namespace
 
-TEST_CASE("policies: chain, mpfr and exact agree; doubles ends") {
+TEST_CASE("policies: chain, mpfr and exact agree, and doubles ends") {
   for (const Family family : families) DYNAMIC_SECTION(name(family)) {
       // Precision has to grow until nothing is rounded, which takes long where exponents are all over the
       // range.
