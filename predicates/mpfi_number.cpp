@@ -3,8 +3,21 @@
 #include <utility>
 
 namespace provis {
+namespace {
+
+/// MPFR keeps numbers for reuse per thread; they go when the thread does.
+struct MpfrCache {
+  ~MpfrCache() { mpfr_free_cache(); }
+};
+
+}  // namespace
 
 constinit thread_local long MpfiPrecision::current_ = 212;
+
+MpfiPrecision::MpfiPrecision(long bits) : saved_(current_) {
+  static thread_local const MpfrCache cache;
+  current_ = bits;
+}
 
 MpfiNumber::MpfiNumber() {
   mpfi_init2(i_, MpfiPrecision::current());

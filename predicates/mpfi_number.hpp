@@ -12,7 +12,7 @@ namespace provis {
 /// Sets the precision in bits of the numbers made on this thread while the object lives.
 class MpfiPrecision {
  public:
-  explicit MpfiPrecision(long bits) : saved_(current_) { current_ = bits; }
+  explicit MpfiPrecision(long bits);
   ~MpfiPrecision() { current_ = saved_; }
   MpfiPrecision(const MpfiPrecision&) = delete;
   MpfiPrecision& operator=(const MpfiPrecision&) = delete;

@@ -83,7 +83,7 @@ TEST_CASE("threads change nothing but stats") {
   }
 }
 
-TEST_CASE("every certain arithmetic gives the same set; doubles claim nothing") {
+TEST_CASE("every certain arithmetic gives the same set, and doubles claim nothing") {
   const Query query;
   for (const char* arithmetic : {"chain", "mpfr", "exact"}) {
     const Outcome outcome = query.run({"--arithmetic", arithmetic, "--ids", "-"});

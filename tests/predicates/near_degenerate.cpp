@@ -213,17 +213,4 @@ double any_number(Random& r) {
   }
 }
 
-std::uint64_t case_count(int share) {
-  const char* asked = std::getenv("PROVIS_CASES");
-  const std::uint64_t all = asked ? std::strtoull(asked, nullptr, 10) : 2000;
-  return std::max<std::uint64_t>(1, all * static_cast<std::uint64_t>(share) / 100);
-}
-
-std::vector<std::uint64_t> seeds(int share) {
-  if (const char* one = std::getenv("PROVIS_SEED")) return {std::strtoull(one, nullptr, 10)};
-  std::vector<std::uint64_t> all(case_count(share));
-  for (std::uint64_t s = 0; s < all.size(); ++s) all[s] = s;
-  return all;
-}
-
 }  // namespace provis::test

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "predicates/view_geometry.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/support/random.hpp"
 
 namespace provis::test {
@@ -50,11 +51,5 @@ double nudged(double x, Random& random);
 
 /// A finite number of any kind: subnormal, huge, small integers, powers of two and their neighbours.
 double any_number(Random& random);
-
-/// PROVIS_CASES (default 2000) random cases per family, or `share` percent of them.
-std::uint64_t case_count(int share = 100);
-
-/// The seeds of a run: 0, 1, … case_count(share) - 1, or the one that PROVIS_SEED asks to replay.
-std::vector<std::uint64_t> seeds(int share = 100);
 
 }  // namespace provis::test

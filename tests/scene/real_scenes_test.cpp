@@ -1,30 +1,12 @@
 // Published scenes load with the counts that their README states and the hashes that a second loader,
 // reference_loader.py, computes; and they survive an export.
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <iostream>
 
 #include "tests/scene/files.hpp"
+#include "tests/support/environment.hpp"
 
 namespace provis {
 namespace {
-
-/// The folder of shared scenes; where a scene is absent the test is skipped with a message, unless
-/// PROVIS_REQUIRE_SCENES=1 makes that a failure.
-std::filesystem::path shared_scene(const std::string& name) {
-  const char* folder = std::getenv("PROVIS_SHARED");
-  const std::filesystem::path shared =
-      folder != nullptr ? folder : std::string(PROVIS_SOURCE_DIR) + "/../shared";
-  return shared / "scenes" / (name + ".glb");
-}
-
-bool skipped(const std::filesystem::path& file) {
-  if (std::filesystem::exists(file)) return false;
-  const char* require = std::getenv("PROVIS_REQUIRE_SCENES");
-  if (require != nullptr && std::string(require) == "1") FAIL("required scene is missing: " << file);
-  std::cout << "skipped, no such scene: " << file << '\n';
-  return true;
-}
 
 /// From real_scenes.txt; empty if the scene is not listed.
 std::string reference_hash(const std::string& name) {
@@ -38,9 +20,9 @@ std::string reference_hash(const std::string& name) {
 }
 
 void check_scene(const std::string& name, std::size_t triangles) {
-  const auto file = shared_scene(name);
-  if (skipped(file)) return;
-  const Scene scene = load_scene(file);
+  const auto file = test::shared_scene(name);
+  if (!file) return;
+  const Scene scene = load_scene(*file);
   CAPTURE(name);
   CHECK(scene.triangles().size() == triangles);
   CHECK(scene.hash() == reference_hash(name));
@@ -74,12 +56,12 @@ TEST_CASE("strips, sparse and quantised accessors of published files load") {
 }
 
 TEST_CASE("flags of a published file follow its materials") {
-  const auto file = shared_scene("quake_bsp_dm4");
-  if (skipped(file)) return;
-  const SceneSummary material = summarize(load_scene(file));
+  const auto file = test::shared_scene("quake_bsp_dm4");
+  if (!file) return;
+  const SceneSummary material = summarize(load_scene(*file));
   CHECK(material.see_through > 0);
   CHECK(material.single_sided + material.see_through == material.triangles);
-  const SceneSummary plain = summarize(load_scene(file, {Sides::both, Opacity::all}));
+  const SceneSummary plain = summarize(load_scene(*file, {Sides::both, Opacity::all}));
   CHECK((plain.see_through == 0 && plain.single_sided == 0));
 }
 

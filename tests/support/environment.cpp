@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <numeric>
 #include <stdexcept>
 
 namespace provis::test {
@@ -17,11 +18,15 @@ std::uint64_t number(const char* variable, std::uint64_t otherwise) {
 
 }  // namespace
 
+std::uint64_t case_count(int share) {
+  const std::uint64_t count = number("PROVIS_CASES", default_cases) * static_cast<std::uint64_t>(share) / 100;
+  return std::max<std::uint64_t>(1, count);
+}
+
 std::vector<std::uint64_t> seeds(int share) {
   if (std::getenv("PROVIS_SEED") != nullptr) return {number("PROVIS_SEED", 0)};
-  const std::uint64_t count = number("PROVIS_CASES", default_cases) * static_cast<std::uint64_t>(share) / 100;
-  std::vector<std::uint64_t> all(std::max<std::uint64_t>(1, count));
-  for (std::uint64_t s = 0; s < all.size(); ++s) all[s] = s;
+  std::vector<std::uint64_t> all(case_count(share));
+  std::iota(all.begin(), all.end(), std::uint64_t{0});
   return all;
 }
 

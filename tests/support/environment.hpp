@@ -9,9 +9,11 @@
 
 namespace provis::test {
 
-/// Seeds of generated cases: `share` percent of PROVIS_CASES (5000 where it is not set), counted from 0, or
-/// PROVIS_SEED alone, to replay a failure.
-std::vector<std::uint64_t> seeds(int share);
+/// `share` percent of PROVIS_CASES (5000 where it is not set), at least 1.
+std::uint64_t case_count(int share = 100);
+
+/// The seeds of a run: 0, 1, ... case_count(share) - 1, or PROVIS_SEED alone, to replay a failure.
+std::vector<std::uint64_t> seeds(int share = 100);
 
 /// The file of a real scene in PROVIS_SHARED (default ../shared beside the project). Where it is absent the
 /// reason is printed and counted, and nothing is returned; under PROVIS_REQUIRE_SCENES=1 that is a failure.
