@@ -80,4 +80,14 @@ TEST_CASE("quake_bsp_e1m1: re-check") { recheck("quake_bsp_e1m1"); }
 TEST_CASE("ifc_duplex: re-check") { recheck("ifc_duplex"); }
 TEST_CASE("vox_monu1: re-check") { recheck("vox_monu1"); }
 
+TEST_CASE("larger scenes: re-check, nightly") {
+  if (!nightly()) {
+    std::cout << "skipped, runs only with PROVIS_NIGHTLY=1\n";
+    return;
+  }
+  for (const char* name : {"ifc_mini_project", "ifc_office_a", "ifc_smiley_west", "quake_map_e3m4",
+                           "godot_zdm2", "vox_maze", "vox_monu7", "m_igea"})
+    recheck(name);
+}
+
 }  // namespace provis::test

@@ -30,6 +30,8 @@ std::vector<std::uint64_t> seeds(int share) {
   return all;
 }
 
+bool nightly() { return number("PROVIS_NIGHTLY", 0) == 1; }
+
 std::filesystem::path shared_scenes_folder() {
   const char* folder = std::getenv("PROVIS_SHARED");
   const std::filesystem::path shared = folder != nullptr ? folder : PROVIS_SOURCE_DIR "/../shared";
