@@ -76,7 +76,8 @@ class Traversal {
   static constexpr int task_depth = 8;  ///< 256 parts of the window, each one task
   static constexpr std::size_t leaf_size = 24;
   static constexpr int most_stalls = 3;  ///< halvings in a row that separate nothing
-  /// Where a fan's vertex meets a halving line, one half keeps the whole fan for as long as there are numbers.
+  /// Where a fan's vertex meets a halving line, one half keeps the whole fan for as long as there are
+  /// numbers.
   static constexpr int most_depth = 48;
 
   using Items = std::vector<Item>;

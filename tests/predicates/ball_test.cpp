@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -75,7 +76,9 @@ void check_operation(const Sample& a, const Sample& b, const char* name, const O
 
 Vec3d any_vector(Random& r) {
   const int size = r.between(-1074, 960), spread = r.between(0, 60);
-  const auto coordinate = [&] { return std::ldexp(2 * r.unit() - 1, size + r.between(-spread, spread)); };
+  const auto coordinate = [&] {
+    return std::ldexp(2 * r.unit() - 1, std::min(1023, size + r.between(-spread, spread)));
+  };
   const double x = coordinate(), y = coordinate(), z = coordinate();
   // All of one magnitude is the worst case of every bound.
   if (r.chance(50)) return {x, r.pick({-x, x}), r.pick({-x, x})};
