@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,12 +36,34 @@ struct SourceRange {
   std::int32_t node = -1;       ///< glTF node index, -1 where the format has none
   std::int32_t mesh = -1;       ///< glTF mesh index
   std::int32_t primitive = -1;  ///< index of the glTF primitive inside its mesh
+  std::int32_t instance = -1;   ///< which of the node's instances, -1 where it is not instanced
 };
 
 /// Things the file holds that are no surface: reported, never dropped in silence.
 struct Skipped {
   std::uint64_t points = 0;  ///< points without a radius
   std::uint64_t lines = 0;   ///< line segments
+};
+
+/// Something of the file that LoadOptions::skip_invalid left out.
+struct LeftOut {
+  std::string place;   ///< node, mesh and primitive, or line or byte of a row
+  std::string reason;  ///< what would have been the error
+};
+
+/// An animation that the file offers.
+struct AnimationInfo {
+  std::string name;            ///< may be empty
+  double first = 0, last = 0;  ///< seconds between which it changes anything
+};
+
+/// What else the file says: nothing of it decides visibility.
+struct FileNotes {
+  std::string format;               ///< "glTF", "PLY" or empty
+  std::string unit;                 ///< of lengths: "metre", or empty where the format does not say
+  std::vector<std::string> scenes;  ///< their names, which may be empty, by index
+  int scene = -1;                   ///< the one that was loaded; -1 where there is none to choose
+  std::vector<AnimationInfo> animations;
 };
 
 /// The arrays a scene is made of; fill one, then give it to Scene.
@@ -53,6 +76,8 @@ struct SceneArrays {
   std::vector<SourceRange> sources;        ///< may be empty; otherwise covers all ids in order
   std::vector<std::string> node_names;     ///< by glTF node index; may be empty
   Skipped skipped;
+  std::vector<LeftOut> left_out;
+  FileNotes notes;
 };
 
 /// An immutable scene.
@@ -75,6 +100,8 @@ class Scene {
   std::span<const SourceRange> sources() const { return arrays_.sources; }
   std::span<const std::string> node_names() const { return arrays_.node_names; }
   const Skipped& skipped() const { return arrays_.skipped; }
+  std::span<const LeftOut> left_out() const { return arrays_.left_out; }
+  const FileNotes& notes() const { return arrays_.notes; }
 
   std::size_t primitive_count() const { return arrays_.triangles.size() + arrays_.spheres.size(); }
 
@@ -99,6 +126,11 @@ enum class Opacity { material, all };  ///< R5
 struct LoadOptions {
   Sides sides = Sides::material;
   Opacity opacity = Opacity::material;
+  std::optional<int> scene;      ///< glTF scene; else the file's default, else 0, else every root node
+  std::optional<double> time;    ///< seconds, clamped to the animation's ends; else the rest pose
+  std::string animation;         ///< index or name; empty: the first. Needs time
+  std::optional<double> radius;  ///< of points that have none of their own, in scene units
+  bool skip_invalid = false;     ///< leave broken primitives out, and list them, instead of failing
 };
 
 /// Reads a scene from a glTF 2.0 (.gltf, .glb) or PLY (.ply) file, told apart by content.

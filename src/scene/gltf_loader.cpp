@@ -138,7 +138,8 @@ class GltfLoader {
 
 }  // namespace
 
-SceneSource load_gltf(ByteSpan file, const std::filesystem::path& folder) {
+SceneSource load_gltf(ByteSpan file, const std::filesystem::path& folder, const LoadOptions& options) {
+  static_cast<void>(options);
   return {GltfLoader(file, folder).load(), std::nullopt};
 }
 

@@ -18,11 +18,11 @@ std::string_view beginning(ByteSpan file) {
   return first == std::string_view::npos ? std::string_view{} : text.substr(first);
 }
 
-SceneSource load_by_content(ByteSpan file, const std::filesystem::path& folder) {
-  if (is_glb(file)) return load_gltf(file, folder);
+SceneSource load_by_content(ByteSpan file, const std::filesystem::path& folder, const LoadOptions& options) {
+  if (is_glb(file)) return load_gltf(file, folder, options);
   const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
-  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return load_ply(file);
-  if (beginning(file).starts_with('{')) return load_gltf(file, folder);
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return load_ply(file, options);
+  if (beginning(file).starts_with('{')) return load_gltf(file, folder, options);
   fail_invalid("byte 0", file.empty() ? "the file is empty" : "neither glTF nor PLY");
 }
 
@@ -44,7 +44,7 @@ void clear_flag(SceneArrays& arrays, PrimitiveFlag flag) {
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options) {
   try {
     const Bytes bytes = read_file(file);
-    SceneSource source = load_by_content(bytes, file.parent_path());
+    SceneSource source = load_by_content(bytes, file.parent_path(), options);
     check_hash(source);
     if (options.sides == Sides::both) clear_flag(source.arrays, single_sided);
     if (options.opacity == Opacity::all) clear_flag(source.arrays, see_through);

@@ -159,6 +159,9 @@ class PlyLoader {
 
 }  // namespace
 
-SceneSource load_ply(ByteSpan file) { return PlyLoader(file).load(); }
+SceneSource load_ply(ByteSpan file, const LoadOptions& options) {
+  static_cast<void>(options);
+  return PlyLoader(file).load();
+}
 
 }  // namespace provis

@@ -16,9 +16,9 @@ struct SceneSource {
 };
 
 /// glTF 2.0, binary or text; folder: where its URIs point.
-SceneSource load_gltf(ByteSpan file, const std::filesystem::path& folder);
+SceneSource load_gltf(ByteSpan file, const std::filesystem::path& folder, const LoadOptions& options);
 
 /// PLY, ASCII or binary.
-SceneSource load_ply(ByteSpan file);
+SceneSource load_ply(ByteSpan file, const LoadOptions& options);
 
 }  // namespace provis
