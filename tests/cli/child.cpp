@@ -8,7 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace provis {
+namespace provis::test {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::string write_small_scene(const std::filesystem::path& file) {
   return file.string();
 }
 
-}  // namespace provis
+}  // namespace provis::test

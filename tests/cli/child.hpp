@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace provis {
+namespace provis::test {
 
 struct Outcome {
   int status = -1;  ///< exit status, or 128 + the signal that ended it
@@ -34,4 +34,4 @@ Outcome provis_run(const std::vector<std::string>& arguments, const std::string&
 /// Writes a scene to look at from the origin along -z: triangle 0 hides 1; 2 is beside them, 3 has no area.
 std::string write_small_scene(const std::filesystem::path& file);
 
-}  // namespace provis
+}  // namespace provis::test

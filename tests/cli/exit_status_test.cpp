@@ -6,6 +6,7 @@
 #include "tests/scene/files.hpp"
 
 using namespace provis;
+using namespace provis::test;
 
 namespace {
 

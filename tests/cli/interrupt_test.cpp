@@ -11,6 +11,7 @@
 #include "tests/scene/files.hpp"
 
 using namespace provis;
+using namespace provis::test;
 
 TEST_CASE("an interrupt ends the program with 130 and leaves no file") {
   const int signal = GENERATE(SIGINT, SIGTERM);

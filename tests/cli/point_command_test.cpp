@@ -9,6 +9,7 @@
 #include "tests/scene/files.hpp"
 
 using namespace provis;
+using namespace provis::test;
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 

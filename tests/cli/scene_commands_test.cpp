@@ -8,6 +8,7 @@
 #include "tests/scene/files.hpp"
 
 using namespace provis;
+using namespace provis::test;
 
 TEST_CASE("info tells what the scene holds") {
   const TempFolder directory;
