@@ -126,11 +126,11 @@ enum class Opacity { material, all };  ///< R5
 struct LoadOptions {
   Sides sides = Sides::material;
   Opacity opacity = Opacity::material;
-  std::optional<int> scene;      ///< glTF scene; else the file's default, else 0, else every root node
-  std::optional<double> time;    ///< seconds, clamped to the animation's ends; else the rest pose
-  std::string animation;         ///< index or name; empty: the first. Needs time
-  std::optional<double> radius;  ///< of points that have none of their own, in scene units
-  bool skip_invalid = false;     ///< leave broken primitives out, and list them, instead of failing
+  std::optional<int> scene = {};      ///< glTF scene; else the file's default, else 0, else every root node
+  std::optional<double> time = {};    ///< seconds, clamped to the animation's ends; else the rest pose
+  std::string animation = {};         ///< index or name; empty: the first. Needs time
+  std::optional<double> radius = {};  ///< of points that have none of their own, in scene units
+  bool skip_invalid = false;          ///< leave broken primitives out, and list them, instead of failing
 };
 
 /// Reads a scene from a glTF 2.0 (.gltf, .glb) or PLY (.ply) file, told apart by content.
