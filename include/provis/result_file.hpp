@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "provis/scene.hpp"
 #include "provis/view.hpp"
@@ -17,6 +18,7 @@ struct ResultHeader {
   std::string scene_file;
   std::string scene_hash;
   std::size_t triangles = 0, spheres = 0;
+  std::vector<LeftOut> left_out;  ///< of the file, because it was invalid
   PointView view;
   std::map<std::string, std::string> options;  ///< every option that can change the set, as given
 };

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "provis/context.hpp"
 #include "provis/vec3.hpp"
 
 namespace provis {
@@ -30,13 +31,19 @@ struct Sphere {
 };
 
 /// A run of primitives that came from one place of the file; runs are stored in id order.
+///
+/// An element is what the file counts inside that place. glTF: a triangle or a point of the primitive, by its
+/// rank in index order (in strips and fans too). PLY: a row of face, sphere or vertex; a face of k corners
+/// becomes k - 2 ids of one element. What was left out keeps its rank or row, so that a run ends before it.
 struct SourceRange {
-  PrimitiveId first = 0;        ///< the id of element 0
-  std::uint32_t count = 0;      ///< primitives in this run
-  std::int32_t node = -1;       ///< glTF node index, -1 where the format has none
-  std::int32_t mesh = -1;       ///< glTF mesh index
-  std::int32_t primitive = -1;  ///< index of the glTF primitive inside its mesh
-  std::int32_t instance = -1;   ///< which of the node's instances, -1 where it is not instanced
+  PrimitiveId first = 0;          ///< of the run
+  std::uint32_t count = 0;        ///< primitives in this run
+  std::int32_t node = -1;         ///< glTF node index, -1 where the format has none
+  std::int32_t mesh = -1;         ///< glTF mesh index, -1 where the format has none
+  std::int32_t primitive = -1;    ///< glTF: index inside the mesh; PLY: index in FileNotes::elements
+  std::int32_t instance = -1;     ///< which of the node's instances, -1 where it is not instanced
+  std::uint32_t element = 0;      ///< element of the first id
+  std::uint32_t per_element = 1;  ///< ids that each element became; count is a multiple of it
 };
 
 /// Things the file holds that are no surface: reported, never dropped in silence.
@@ -47,7 +54,7 @@ struct Skipped {
 
 /// Something of the file that LoadOptions::skip_invalid left out.
 struct LeftOut {
-  std::string place;   ///< node, mesh and primitive, or line or byte of a row
+  std::string place;   ///< line or byte of a PLY row
   std::string reason;  ///< what would have been the error
 };
 
@@ -55,6 +62,7 @@ struct LeftOut {
 struct AnimationInfo {
   std::string name;            ///< may be empty
   double first = 0, last = 0;  ///< seconds between which it changes anything
+  int index = 0;               ///< in the file: broken ones, which are not listed, count there
 };
 
 /// What else the file says: nothing of it decides visibility.
@@ -64,6 +72,8 @@ struct FileNotes {
   std::vector<std::string> scenes;  ///< their names, which may be empty, by index
   int scene = -1;                   ///< the one that was loaded; -1 where there is none to choose
   std::vector<AnimationInfo> animations;
+  int animation = -1;                 ///< index of the one that LoadOptions::time applied; -1 for none
+  std::vector<std::string> elements;  ///< of a PLY header, in order
 };
 
 /// The arrays a scene is made of; fill one, then give it to Scene.
@@ -85,8 +95,8 @@ struct SceneArrays {
 /// Input:      arrays: V vertices, F triangles, S spheres in world units
 /// Guarantee:  coordinates are kept bit for bit; ids are positions in the arrays (R1, R2)
 /// Degenerate: triangles of zero area and spheres of radius 0 keep their ids; they are never seen (R3)
-/// Throws:     Error::invalid_input naming the first non-finite coordinate, index out of range,
-///             negative radius or array of the wrong length; more than 2^32 - 1 primitives
+/// Throws:     Error::invalid_input naming the first non-finite coordinate, index out of range, negative
+///             radius, gap between sources or array of the wrong length; more than 2^32 - 1 primitives
 class Scene {
  public:
   Scene() : Scene(SceneArrays{}) {}
@@ -127,10 +137,11 @@ struct LoadOptions {
   Sides sides = Sides::material;
   Opacity opacity = Opacity::material;
   std::optional<int> scene = {};      ///< glTF scene; else the file's default, else 0, else every root node
-  std::optional<double> time = {};    ///< seconds, clamped to the animation's ends; else the rest pose
+  std::optional<double> time = {};    ///< seconds, clamped to the animation's ends; else the rest pose. Of a
+                                      ///< PLY file: what the velocities of its spheres are multiplied by
   std::string animation = {};         ///< index or name; empty: the first. Needs time
   std::optional<double> radius = {};  ///< of points that have none of their own, in scene units
-  bool skip_invalid = false;          ///< leave broken primitives out, and list them, instead of failing
+  bool skip_invalid = false;          ///< leave broken primitives of a PLY file out, and list them
 };
 
 /// Reads a scene from a glTF 2.0 (.gltf, .glb) or PLY (.ply) file, told apart by content.
@@ -139,7 +150,8 @@ struct LoadOptions {
 /// Guarantee:  coordinates follow the loading arithmetic of R1: one documented float64 rounding
 /// Degenerate: nothing is merged, dropped or reordered; points and lines are counted as skipped
 /// Throws:     Error::invalid_input (unreadable, malformed; names file and place),
-///             Error::unsupported (valid, but needs something outside the program's reach)
+///             Error::unsupported (valid, but needs something outside the program's reach),
+///             Error::usage (options that make no sense, or none for this file; names the option)
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// Writes the scene as binary little-endian float64 PLY in id order, its hash in a comment.
@@ -158,13 +170,20 @@ Scene perturb(const Scene& scene, double delta, std::uint64_t seed);
 /// Counts that `provis info` prints.
 struct SceneSummary {
   std::size_t triangles = 0, spheres = 0, vertices = 0;
-  std::size_t degenerate_triangles = 0;  ///< exactly zero area
-  std::size_t degenerate_spheres = 0;    ///< radius 0
-  std::size_t single_sided = 0, see_through = 0;
+  std::size_t degenerate_triangles = 0;                                 ///< exactly zero area
+  std::size_t degenerate_spheres = 0;                                   ///< radius 0
+  std::array<std::size_t, 4> triangles_by_flags{}, spheres_by_flags{};  ///< index: PrimitiveFlag bits
+  std::size_t single_sided = 0, see_through = 0;                        ///< triangles and spheres
+  double smallest_radius = 0, largest_radius = 0;  ///< of spheres; 0 where there are none
   Vec3d lower, upper;  ///< extent over referenced vertices and spheres; zero for an empty scene
 };
 
 /// Guarantee:  zero area is decided exactly
-SceneSummary summarize(const Scene& scene);
+/// Throws:     Error::cancelled
+/// Cost:       O(F + S); parallel; same answer for any thread count
+SceneSummary summarize(const Scene& scene, const Context& context = {});
+
+/// Bytes that the scene's arrays of vertices, indices, spheres and flags take in memory.
+std::size_t array_bytes(const Scene& scene);
 
 }  // namespace provis

@@ -1,9 +1,6 @@
 #include "provis/witness.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <atomic>
 
@@ -11,6 +8,7 @@
 #include "predicates/formulas.hpp"
 #include "provis/error.hpp"
 #include "src/certify/exact_ray.hpp"
+#include "src/scene/parallel.hpp"
 
 namespace provis {
 namespace {
@@ -124,12 +122,8 @@ std::size_t verify_witnesses(const Scene& scene, const PointView& view, const Vi
     if (id >= has.size() || !has[id]) reject(id, "called visible without a witness");
 
   const WitnessChecker checker(scene, view);
-  const int threads = context.threads > 0 ? context.threads : tbb::this_task_arena::max_concurrency();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, set.witnesses.size(), [&](std::size_t k) {
+  on_threads(context, [&] {
+    parallel_for(set.witnesses.size(), [&](std::size_t k) {
       if (context.cancelled()) throw Error(Error::Code::cancelled, "witnesses", "interrupted");
       const RoundUp guard;
       checker.check(set.witnesses[k]);

@@ -69,27 +69,33 @@ void run_draw(const DrawOptions& options, Run& run) {
 
 Action add_draw(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("draw", "Draw a result as PNG: the view, and the scene from above");
+      program.add_subcommand("draw", "Draw a result of 'provis point' as PNG: the view, or from above");
   const auto options = std::make_shared<DrawOptions>();
-  command->add_option("SCENE", options->scene, "The scene of the result")->required()->type_name("FILE");
-  command->add_option("RESULT", options->result, "JSON result of 'provis point --out'")
+  command
+      ->add_option("SCENE", options->scene,
+                   "The scene file that was asked about; how it was loaded stands in the result")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("RESULT", options->result, "JSON file written by 'provis point --out'")
       ->required()
       ->type_name("FILE");
   command
-      ->add_option(
-          "--view-image", options->view_image,
-          "PNG of the view, a colour per visible primitive; the six faces of an omni view three by two")
+      ->add_option("--view-image", options->view_image,
+                   "PNG to write: the view, a colour per visible primitive; an omni view as six square "
+                   "faces, three by "
+                   "two. Give this, --above or both")
       ->type_name("FILE");
   command
       ->add_option(
           "--above", options->above,
-          "PNG of the scene from above: visible in orange, hidden as a grey-blue wash, undecided in green, "
-          "the viewpoint and its window in blue")
+          "PNG to write: the scene from above, visible in orange, hidden as a grey-blue wash, undecided in "
+          "green, the viewpoint and its window in blue")
       ->type_name("FILE");
   command
-      ->add_option(
-          "--size", options->size,
-          "Pixels, 1 to 16384 each [the view: 1280 wide in the window's proportions; from above: 1280x720]")
+      ->add_option("--size", options->size,
+                   "Pixels of each picture, 1 to 16384 each way [the view: 1280 wide, as high as its "
+                   "window's proportions "
+                   "ask for; from above: 1280x720]")
       ->type_name("WxH");
   command->footer("Example: provis draw house.glb house.json --view-image view.png --above above.png");
   return [options](Run& run) { run_draw(*options, run); };

@@ -17,6 +17,7 @@ struct ExportOptions {
 void run_export(const ExportOptions& options, Run& run) {
   options.scene.validate();
   const Scene scene = options.scene.load(run);
+  warn_of_left_out(scene, options.scene.file);
   run.stage("writing " + options.out);
   export_ply(scene, options.out);
 }
@@ -25,10 +26,13 @@ void run_export(const ExportOptions& options, Run& run) {
 
 Action add_export(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("export", "Write the exact scene as binary float64 PLY, triangles in id order");
+      program.add_subcommand("export", "Write the scene as queries see it: float64 PLY, in id order");
   const auto options = std::make_shared<ExportOptions>();
   options->scene.add_to(*command);
-  command->add_option("--out", options->out, "PLY file to write; reading it back gives the same hash")
+  command
+      ->add_option(
+          "--out", options->out,
+          "PLY file to write. Flags and options are in it: read back without options it gives the same hash")
       ->required()
       ->type_name("FILE");
   command->footer("Example: provis export house.glb --out house.ply");

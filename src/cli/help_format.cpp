@@ -25,7 +25,18 @@ std::string wrapped(const std::string& text) {
 
 class HelpFormat : public CLI::Formatter {
  public:
-  HelpFormat() { column_width(left_column); }
+  HelpFormat() {
+    column_width(left_column);
+    label("SUBCOMMAND", "COMMAND");
+    label("Positionals", "Arguments");
+  }
+
+  // The parser's library leaves two blank lines between groups.
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::string help = CLI::Formatter::make_help(app, name, mode);
+    for (std::size_t at = 0; (at = help.find("\n\n\n", at)) != std::string::npos;) help.erase(at, 1);
+    return help;
+  }
 
   std::string make_option_opts(const CLI::Option* option) const override {
     std::string type = option->get_type_size() == 0 ? "" : option->get_type_name();

@@ -66,6 +66,7 @@ ResultFile PointCommand::query(const Scene& scene, const PointView& where, Run& 
   header.triangles = scene.triangles().size();
   header.spheres = scene.spheres().size();
   header.view = where;
+  header.left_out.assign(scene.left_out().begin(), scene.left_out().end());
   header.options = source.recorded();
   header.options["method"] = method;
   header.options["arithmetic"] = arithmetic;
@@ -94,6 +95,7 @@ void PointCommand::run(Run& run) const {
   if (!ids.empty()) ids_output.emplace(ids);
 
   const Scene loaded = source.load(run);
+  warn_of_left_out(loaded, source.file);
   if (effects) say(effects_text(plan_effects(loaded, where.projection)));
   run.stage("computing what is visible");
   const ResultFile result = query(loaded, where, run);
@@ -110,35 +112,48 @@ void PointCommand::run(Run& run) const {
 void PointCommand::add_to(CLI::App& command) {
   source.add_to(command);
   view.add_to(command);
+  const char* computing = "How to compute";
   command.add_option("--method", method, "How the set is found: 'exact' decides every primitive [exact]")
       ->check(CLI::IsMember({"exact"}))
-      ->type_name("");
+      ->type_name("")
+      ->group(computing);
   command
       .add_option(
           "--arithmetic", arithmetic,
-          "How signs are computed: 'chain' is certain and fast, 'mpfr' and 'exact' are certain and slow, "
-          "'doubles' is sometimes wrong and for comparison only [chain]")
+          "How each comparison is computed: 'chain' is certain and fast, 'mpfr' and 'exact' are certain and "
+          "slow, 'doubles' is sometimes wrong and for comparison only [chain]")
       ->check(CLI::IsMember({"chain", "doubles", "mpfr", "exact"}))
-      ->type_name("");
+      ->type_name("")
+      ->group(computing);
   command
       .add_option("--threads", threads,
                   "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]")
-      ->type_name("N");
+      ->type_name("N")
+      ->group(computing);
   const char* output = "Output";
-  command.add_option("--out", out, "Write the result as JSON; '-' is standard output")
+  command
+      .add_option("--out", out, "Write the result as JSON, which 'provis draw' reads; '-' is standard output")
       ->type_name("FILE")
       ->group(output);
   command.add_option("--ids", ids, "Write one visible id per line, ascending; '-' is standard output")
       ->type_name("FILE")
       ->group(output);
-  command.add_flag("--witness", witness, "Add to the result a verified proof for each visible primitive")
+  command
+      .add_flag("--witness", witness,
+                "Add to the result a verified proof for each visible primitive: a ray that sees it")
       ->group(output);
   command
-      .add_flag("--subdivision", subdivision,
-                "Add to the result the cells of the window with their exact areas")
+      .add_flag(
+          "--subdivision", subdivision,
+          "Add to the result the pieces of the window in which one set of primitives is seen, with their "
+          "exact areas")
       ->group(output);
-  command.add_flag("--effects", effects, "Print which effects are simulated, and why")->group(output);
-  command.add_flag("--stats", stats, "Print how many signs each tier of the arithmetic decided")
+  command
+      .add_flag("--effects", effects,
+                "Print which effects of the scene the query simulates (culling, see-through surfaces, ...), "
+                "and why")
+      ->group(output);
+  command.add_flag("--stats", stats, "Print how many comparisons each tier of the arithmetic decided")
       ->group(output);
   command.footer(
       "Without --out or --ids a summary of about ten lines goes to standard output.\n\n"
@@ -151,7 +166,7 @@ void PointCommand::add_to(CLI::App& command) {
 }  // namespace
 
 Action add_point(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("point", "Compute the set of primitives visible from a point");
+  CLI::App* command = program.add_subcommand("point", "Compute which primitives are visible from a point");
   const auto options = std::make_shared<PointCommand>();
   options->add_to(*command);
   return [options](Run& run) { options->run(run); };

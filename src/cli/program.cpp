@@ -28,10 +28,9 @@ constexpr const char* closing =
     "  provis draw house.glb house.json --view-image view.png --above above.png\n\n"
     "Each command explains its options: provis point --help\n"
     "Lengths are scene units. Results go to standard output or to --out, talk to standard error.\n"
-    "Exit status: 0 done; 1 wrong usage; 2 input unreadable or invalid; 3 valid but unsupported, or more "
-    "than\n"
-    "the memory holds; 4 output not written; 5 asked guarantee not reached; 70 internal error; 130 "
-    "interrupted.";
+    "Exit status: 0 done; 1 wrong usage; 2 input unreadable or invalid; 3 valid but unsupported, or\n"
+    "more than the memory holds; 4 output not written; 5 asked guarantee not reached; 70 internal\n"
+    "error; 130 interrupted.";
 
 class Program {
  public:
@@ -43,7 +42,9 @@ class Program {
     app_.footer(closing);
     for (const auto add : {add_info, add_export, add_point, add_draw}) {
       Action action = add(app_);
-      actions_.emplace_back(app_.get_subcommands({}).back(), std::move(action));
+      CLI::App* command = app_.get_subcommands({}).back();
+      command->group("Commands");
+      actions_.emplace_back(command, std::move(action));
     }
   }
 
@@ -52,7 +53,6 @@ class Program {
     require_known_command(argc, argv);
     try {
       app_.parse(argc, argv);
-      return true;
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) {
         app_.exit(error);
@@ -60,6 +60,8 @@ class Program {
       }
       throw Error(Error::Code::usage, "", error.what() + hint());
     }
+    refuse_empty_values();
+    return true;
   }
 
   void act(Run& run) const {
@@ -80,6 +82,19 @@ class Program {
       if (command->get_name() == word) return;
     }
     throw Error(Error::Code::usage, word, "neither a command nor an option" + hint());
+  }
+
+  // An empty text stands for an option that was not given.
+  void refuse_empty_values() const {
+    for (const auto& [command, action] : actions_) {
+      if (!command->parsed()) continue;
+      for (const CLI::Option* option : command->get_options()) {
+        for (const std::string& value : option->results()) {
+          if (value.empty())
+            throw Error(Error::Code::usage, option->get_name(), "has an empty value" + hint());
+        }
+      }
+    }
   }
 
   std::string hint() const {

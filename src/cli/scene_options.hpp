@@ -15,15 +15,16 @@ namespace provis {
 
 struct Run;
 
-/// The scene as the command line states it.
+/// The scene as the command line states it; an empty text is an option that was not given.
 struct SceneOptions {
   std::string file;
   std::string sides = "material";
   std::string opacity = "material";
-  std::string perturb;  ///< empty: not perturbed
-  std::string seed;
+  std::string scene, time, animation, radius;
+  bool skip_invalid = false;
+  std::string perturb, seed;
 
-  /// Adds SCENE, --sides, --opacity, --perturb and --seed.
+  /// Adds SCENE and the options of these names.
   void add_to(CLI::App& command);
 
   /// Throws Error::usage; so that a bad option is reported before a large file is read.
@@ -31,7 +32,9 @@ struct SceneOptions {
 
   Scene load(Run& run) const;
 
-  /// What a result records of them; perturb "0" where the scene is as the file has it.
+  /// What a result records of them, numbers in a form that reads back bit for bit; perturb "0" where the
+  /// scene is as the file has it. scene, time, animation, radius and skip_invalid are there only if they were
+  /// given.
   std::map<std::string, std::string> recorded() const;
 
   /// The options that a result recorded. Throws Error::invalid_input naming result_file.
@@ -39,8 +42,12 @@ struct SceneOptions {
                                     const std::map<std::string, std::string>& options);
 
  private:
+  LoadOptions load_options() const;
   double delta() const;
   std::uint64_t seed_number() const;
 };
+
+/// Says on standard error what SceneOptions::skip_invalid left out, and where the first few stood.
+void warn_of_left_out(const Scene& scene, const std::string& file);
 
 }  // namespace provis

@@ -35,26 +35,35 @@ void ViewOptions::add_to(CLI::App& command) {
     return command.add_option(name, value, help)->type_name(type)->group(group);
   };
   add("--eye", eye, "x,y,z", "Viewpoint, in scene units (required, unless --views is given)");
-  add("--dir", dir, "x,y,z", "Direction of view, of any length but 0");
+  add("--dir", dir, "x,y,z",
+      "Direction of view, of any length but 0; this, --look-at or --right is required, unless --view is "
+      "omni");
   add("--look-at", look_at, "x,y,z", "Instead of --dir: a point to look at, in scene units");
   add("--up", up, "x,y,z",
-      "Upward direction of the camera; with --right and --forward, the frame's up vector verbatim [0,1,0; "
-      "0,0,-1 if parallel to the direction]");
+      "Upward direction of the camera, which need not be at a right angle to --dir [0,1,0; 0,0,-1 if "
+      "parallel "
+      "to the direction]");
   add("--fovy", fovy, "DEG", "Vertical field of view in degrees, above 0 and below 180 [60]");
   add("--size", size, "WxH",
-      "Pixels, 1 to 16384 each: gives the window's aspect and changes nothing else [1280x720]");
+      "Pixels of the picture that the view stands for, 1 to 16384 each: only their ratio, the window's width "
+      "to "
+      "height, has an influence [1280x720]");
   add("--view", projection, "",
-      "'pinhole': a window; 'omni': the whole sphere of directions; 'parallel': an eye at infinity, the "
-      "window "
-      "in scene units and only what is in front of it [pinhole]")
+      "'pinhole': an eye and a window; 'omni': an eye that sees all around; 'parallel': an eye at infinity, "
+      "the "
+      "window in scene units through --eye, and only what is in front of it [pinhole]")
       ->check(CLI::IsMember({"pinhole", "omni", "parallel"}));
   add("--window", window, "x0,x1,y0,y1",
-      "Rectangle of the image plane at distance 1: rays run along forward + x right + y up [from --fovy and "
-      "--size]");
-  add("--right", right, "x,y,z", "The frame verbatim, with --up, --forward and --window: taken as exact");
+      "Instead of --fovy and --size: the rectangle to look through, at distance 1. Rays run along forward + "
+      "x "
+      "right + y up for x from x0 to x1 and y from y0 to y1");
+  add("--right", right, "x,y,z",
+      "Instead of --dir and --fovy: the vectors --right, --up and --forward as they are, of any length and "
+      "at "
+      "any angle, taken as exact, with --window");
   add("--forward", forward, "x,y,z", "See --right");
   add("--views", views, "FILE:NAME",
-      "Take the view called NAME from a JSON file of views; only --size may go with it")
+      "Instead of all these: the view called NAME of a JSON file of views; only --size may go with it")
       ->excludes("--eye", "--dir", "--look-at", "--up", "--fovy", "--view", "--window", "--right",
                  "--forward");
 }

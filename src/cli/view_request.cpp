@@ -64,11 +64,14 @@ class Builder {
   }
 
   PointView camera() const {
-    if (request_.dir.has_value() == request_.look_at.has_value()) {
+    if (!request_.dir && !request_.look_at) {
       refuse("dir",
-             fmt::format("state the direction once: {0}dir, {0}look-at, or {0}right, {0}up, {0}forward and "
-                         "{0}window",
+             fmt::format("no direction is given: state {0}dir or {0}look-at, or the whole frame by {0}right, "
+                         "{0}up, {0}forward and {0}window",
                          prefix_));
+    }
+    if (request_.dir && request_.look_at) {
+      refuse("dir", fmt::format("and {0}look-at both state the direction: give one of the two", prefix_));
     }
     if (request_.window && request_.fovy_degrees) refuse("window", "replaces fovy: give one of the two");
     if (request_.projection == Projection::parallel && !request_.window) {

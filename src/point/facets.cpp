@@ -1,13 +1,11 @@
 #include "src/point/facets.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "src/point/guard.hpp"
 #include "src/point/tile.hpp"
 #include "src/point/weld.hpp"
+#include "src/scene/parallel.hpp"
 
 namespace provis {
 namespace {
@@ -90,7 +88,7 @@ void for_chunks(std::size_t n, const ViewGeometry& geometry, const Context& cont
                 const Body& body) {
   const std::size_t chunks = (n + chunk_size - 1) / chunk_size;
   std::vector<SignCounts> chunk_counts(chunks);
-  tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+  parallel_for(chunks, [&](std::size_t chunk) {
     if (context.cancelled()) return;
     const RoundingGuard<A> guard;
     Signs<A> signs(geometry, chunk_counts[chunk]);

@@ -1,8 +1,5 @@
 #include "provis/point.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <chrono>
 #include <ctime>
 
@@ -11,6 +8,7 @@
 #include "provis/effects.hpp"
 #include "provis/error.hpp"
 #include "src/point/engine.hpp"
+#include "src/scene/parallel.hpp"
 
 namespace provis {
 namespace {
@@ -102,16 +100,10 @@ VisibleSet visible_from_point(const Scene& scene, const PointView& view, const P
     throw Error(Error::Code::usage, "arithmetic", "plain doubles prove no witness and bound no cell");
   const FrameEngine engine = choose_engine(
       options.arithmetic, {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});
-  const int threads = context.threads > 0 ? context.threads : tbb::this_task_arena::max_concurrency();
-  // An arena may hold more threads than there are cores only where the global limit allows it.
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-
   const Stopwatch stopwatch;
-  VisibleSet set = arena.execute([&] { return run_frames(scene, view, options, context, engine); });
+  VisibleSet set = on_threads(context, [&] { return run_frames(scene, view, options, context, engine); });
   set.eye_on_primitive = view.projection != Projection::parallel && lies_on_occluder(scene, view.eye);
-  set.stats.threads = threads;
+  set.stats.threads = thread_count(context);
   stopwatch.read(set.stats);
   return set;
 }

@@ -2,8 +2,6 @@
 // The descent: halves the window until a rectangle holds few facets, drops what certainly lies outside or
 // behind, and resolves what is left.
 
-#include <tbb/parallel_invoke.h>
-
 #include <atomic>
 #include <mutex>
 
@@ -11,6 +9,7 @@
 #include "src/point/arrangement.hpp"
 #include "src/point/guard.hpp"
 #include "src/point/outcome.hpp"
+#include "src/scene/parallel.hpp"
 
 namespace provis {
 
@@ -162,7 +161,7 @@ Outcome Traversal<A, E>::split_in_tasks(Items items, const Window& window, int d
     return outcome;
   };
   Outcome a, b;
-  tbb::parallel_invoke([&] { a = half(split.first); }, [&] { b = half(split.second); });
+  parallel_invoke([&] { a = half(split.first); }, [&] { b = half(split.second); });
   a.add(std::move(b));
   return a;
 }

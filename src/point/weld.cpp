@@ -2,28 +2,15 @@
 
 #include <bit>
 
+#include "src/scene/position_hash.hpp"
+
 namespace provis {
-namespace {
-
-std::uint64_t mixed(std::uint64_t h) {
-  h ^= h >> 32;
-  h *= 0xd6e8feb86659fd93u;
-  return h ^ (h >> 32);
-}
-
-std::uint64_t hash(const Vec3d& p) {
-  // Adding zero turns -0 into +0.
-  const auto bits = [](double d) { return std::bit_cast<std::uint64_t>(d + 0.0); };
-  return mixed(mixed(mixed(bits(p.x)) + bits(p.y)) + bits(p.z));
-}
-
-}  // namespace
 
 Weld::Weld(std::size_t expected) : slots_(std::bit_ceil(2 * expected + 16), 0) {}
 
 std::uint32_t Weld::id(const Vec3d* position) {
   const std::size_t mask = slots_.size() - 1;
-  std::size_t s = hash(*position) & mask;
+  std::size_t s = position_hash(*position) & mask;
   for (; slots_[s] != 0; s = (s + 1) & mask)
     if (*positions_[slots_[s] - 1] == *position) return slots_[s] - 1;
   positions_.push_back(position);
@@ -37,7 +24,7 @@ void Weld::grow() {
   const std::size_t mask = larger.size() - 1;
   for (const std::uint32_t entry : slots_) {
     if (entry == 0) continue;
-    std::size_t s = hash(*positions_[entry - 1]) & mask;
+    std::size_t s = position_hash(*positions_[entry - 1]) & mask;
     while (larger[s] != 0) s = (s + 1) & mask;
     larger[s] = entry;
   }

@@ -1,7 +1,5 @@
 // The view: a z-buffer over pixel centres, one band of rows per task, colours put on afterwards.
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <limits>
 
@@ -10,6 +8,7 @@
 #include "src/report/colors.hpp"
 #include "src/report/footprint.hpp"
 #include "src/report/picture.hpp"
+#include "src/scene/parallel.hpp"
 
 namespace provis {
 
@@ -152,8 +151,8 @@ Image draw_view(const Scene& scene, const VisibleSet& set, const PointView& view
   Image image = blank_image(width, height);
   const Raster raster(view.eye, view.projection, view.frames[static_cast<std::size_t>(frame)], width, height);
   const Layers layers = visible_layers(scene, set, raster);
-  tbb::parallel_for(0, static_cast<int>(layers.by_band.size()),
-                    [&](int band) { Band(scene, raster, layers, band).draw(image); });
+  parallel_for(layers.by_band.size(),
+               [&](std::size_t band) { Band(scene, raster, layers, static_cast<int>(band)).draw(image); });
   return image;
 }
 

@@ -32,6 +32,11 @@ std::string_view name(Sides sides) { return sides == Sides::both ? "both" : "mat
 
 std::string_view name(Opacity opacity) { return opacity == Opacity::all ? "all" : "material"; }
 
+std::string flags_text(std::uint8_t flags) {
+  return std::string((flags & single_sided) != 0 ? "single-sided, " : "two-sided, ") +
+         ((flags & see_through) != 0 ? "see-through" : "opaque");
+}
+
 std::optional<Projection> projection_named(std::string_view word) {
   return named(word, {Projection::pinhole, Projection::parallel, Projection::omni});
 }

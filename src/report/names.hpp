@@ -2,6 +2,7 @@
 // Enumerations as the words that result files and the command line use for them, both ways.
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "provis/arithmetic.hpp"
@@ -14,6 +15,9 @@ namespace provis {
 std::string_view name(Projection projection);
 std::string_view name(Sides sides);
 std::string_view name(Opacity opacity);
+
+/// "single-sided, see-through", of PrimitiveFlag bits.
+std::string flags_text(std::uint8_t flags);
 
 /// The enumerator of that name, or nothing.
 std::optional<Projection> projection_named(std::string_view word);

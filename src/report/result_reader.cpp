@@ -79,6 +79,14 @@ PointView view(const JsonNode& query) {
   return view;
 }
 
+std::vector<LeftOut> left_out(const JsonNode& node) {
+  std::vector<LeftOut> result;
+  for (const JsonNode& item : node.items()) {
+    result.push_back({item.member("place").text(), item.member("reason").text()});
+  }
+  return result;
+}
+
 ResultHeader header(const JsonNode& root) {
   const JsonNode scene = root.member("scene");
   ResultHeader header;
@@ -89,6 +97,7 @@ ResultHeader header(const JsonNode& root) {
   const std::size_t most = std::numeric_limits<PrimitiveId>::max();
   if (header.triangles > most || header.spheres > most - header.triangles)
     scene.fail("holds too many primitives");
+  if (scene.has("left_out")) header.left_out = left_out(scene.member("left_out"));
   const JsonNode query = root.member("query");
   header.view = view(query);
   for (const auto& [key, value] : query.raw().items()) {

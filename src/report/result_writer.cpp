@@ -7,6 +7,7 @@
 
 #include "provis/error.hpp"
 #include "provis/result_file.hpp"
+#include "src/report/json_text.hpp"
 #include "src/report/names.hpp"
 #include "src/report/result_keys.hpp"
 #include "src/scene/atomic_file.hpp"
@@ -53,6 +54,15 @@ Json json(const SubdivisionCell& cell) {
           {"visible", cell.visible}};
 }
 
+Json scene(const ResultHeader& header) {
+  Json scene = {{"file", header.scene_file},
+                {"hash", header.scene_hash},
+                {"triangles", header.triangles},
+                {"spheres", header.spheres}};
+  if (!header.left_out.empty()) scene["left_out"] = left_out_json(header.left_out);
+  return scene;
+}
+
 Json query(const ResultHeader& header) {
   const PointView& view = header.view;
   if (view.frames.empty()) throw Error(Error::Code::internal, "result file", "a view without frames");
@@ -94,7 +104,7 @@ Json json(const QueryStats& stats) {
 }
 
 void write_member(std::ostream& out, const char* key, const Json& value) {
-  out << ",\n\"" << key << "\": " << value.dump();
+  out << ",\n\"" << key << "\": " << json_text(value);
 }
 
 // Twenty to a line: short enough to look at, and a million ids make no million lines.
@@ -126,11 +136,7 @@ void write_result(const ResultFile& result, std::ostream& out) {
 
   out << "{\"format\": \"" << result_format << "\",\n\"version\": " << result_version;
   write_member(out, "program", {{"name", "provis"}, {"version", PROVIS_VERSION}});
-  write_member(out, "scene",
-               {{"file", header.scene_file},
-                {"hash", header.scene_hash},
-                {"triangles", header.triangles},
-                {"spheres", header.spheres}});
+  write_member(out, "scene", scene(header));
   write_member(out, "query", query(header));
   write_member(out, "answers", set.answers);
   write_member(out, "guarantee", name(set.guarantee));

@@ -9,6 +9,14 @@
 
 namespace provis {
 
+std::string options_text(const std::map<std::string, std::string>& options) {
+  std::string line;
+  for (const auto& [option, value] : options) {
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", option, value);
+  }
+  return line;
+}
+
 namespace {
 
 std::array<std::uint64_t, tier_count> by_tier(const SignCounts& signs) {
@@ -31,14 +39,6 @@ std::string query_text(const PointView& view) {
   const Window& w = frame.window;
   return fmt::format("{} from {} along {}, window {:.6g},{:.6g},{:.6g},{:.6g}", name(view.projection),
                      text(view.eye), text(frame.forward), w.x0, w.x1, w.y0, w.y1);
-}
-
-std::string options_text(const std::map<std::string, std::string>& options) {
-  std::string line;
-  for (const auto& [option, value] : options) {
-    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", option, value);
-  }
-  return line;
 }
 
 std::string signs_text(const SignCounts& signs) {
@@ -66,6 +66,9 @@ std::string summary(const ResultFile& result) {
   auto out = std::back_inserter(text);
   fmt::format_to(out, "scene      {} ({} triangles, {} spheres)\n", header.scene_file, header.triangles,
                  header.spheres);
+  if (!header.left_out.empty()) {
+    fmt::format_to(out, "left out   {} invalid primitives\n", header.left_out.size());
+  }
   fmt::format_to(out, "hash       {}\n", header.scene_hash);
   fmt::format_to(out, "query      {}\n", query_text(header.view));
   fmt::format_to(out, "options    {}\n", options_text(header.options));

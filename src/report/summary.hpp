@@ -1,6 +1,7 @@
 #pragma once
 // A result as text for people.
 
+#include <map>
 #include <string>
 
 #include "provis/result_file.hpp"
@@ -12,5 +13,8 @@ std::string summary(const ResultFile& result);
 
 /// One row per predicate, one column per tier: how often each decided.
 std::string sign_table(const SignCounts& signs);
+
+/// "perturb 0, seed 0, sides material".
+std::string options_text(const std::map<std::string, std::string>& options);
 
 }  // namespace provis

@@ -3,45 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
+#include "src/scene/component_type.hpp"
 #include "src/scene/failure.hpp"
 #include "src/scene/finite.hpp"
+#include "src/scene/gltf_fault.hpp"
 #include "src/scene/gltf_reduce.hpp"
 #include "src/scene/little_endian.hpp"
 
 namespace provis {
 namespace {
-
-std::string place_of(int accessor) { return fmt::format("accessors[{}]", accessor); }
-
-/// Calls use with a value of the component's C++ type.
-template <class Use>
-void with_component_type(int component_type, const Use& use) {
-  switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return use(std::int8_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return use(std::uint8_t{});
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return use(std::int16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return use(std::uint16_t{});
-    case TINYGLTF_COMPONENT_TYPE_INT:
-      return use(std::int32_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return use(std::uint32_t{});
-    default:
-      return use(float{});
-  }
-}
-
-std::size_t component_size(int component_type) {
-  std::size_t size = 0;
-  with_component_type(component_type, [&size](auto zero) { size = sizeof(zero); });
-  return size;
-}
 
 template <class T>
 double coordinate(const std::uint8_t* bytes, bool normalized) {
@@ -55,6 +30,29 @@ template <class T>
 Vec3d position(const std::uint8_t* bytes, bool normalized) {
   return {coordinate<T>(bytes, normalized), coordinate<T>(bytes + sizeof(T), normalized),
           coordinate<T>(bytes + 2 * sizeof(T), normalized)};
+}
+
+/// The bit of ElementKind::components that the accessor's components have.
+unsigned component_bit(const tinygltf::Accessor& accessor) {
+  switch (accessor.componentType) {
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      return float_components;
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return accessor.normalized ? normalized_signed : plain_signed;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return accessor.normalized ? normalized_unsigned : plain_unsigned;
+    default:
+      return long_integers;
+  }
+}
+
+void check_kind(const tinygltf::Accessor& accessor, const ElementKind& kind, const std::string& place) {
+  if (accessor.type != kind.type) fail_invalid(place, fmt::format("{} of another type", kind.what));
+  if ((component_bit(accessor) & kind.components) == 0)
+    fail_invalid(place, fmt::format("{} of {}component type {}", kind.what,
+                                    accessor.normalized ? "normalised " : "", accessor.componentType));
 }
 
 bool is_unsigned(int component_type) {
@@ -88,34 +86,38 @@ void check_restart(const std::vector<std::uint32_t>& indices, int component_type
 
 }  // namespace
 
-bool AccessorReader::has_data(int accessor, const std::string& wanted_by) const {
-  const tinygltf::Accessor& a = at(accessor, wanted_by);
-  return a.bufferView >= 0 || a.sparse.isSparse;
-}
-
 const std::vector<Vec3d>& AccessorReader::positions(int accessor, const std::string& wanted_by) {
   const auto found = positions_.find(accessor);
   if (found != positions_.end()) return found->second;
-  return positions_.emplace(accessor, read_positions(at(accessor, wanted_by), place_of(accessor)))
-      .first->second;
+  return positions_.emplace(accessor, vectors(accessor, wanted_by)).first->second;
 }
 
-std::vector<Vec3d> AccessorReader::read_positions(const tinygltf::Accessor& a, const std::string& place) {
-  if (a.type != TINYGLTF_TYPE_VEC3) fail_invalid(place, "positions that are not of type VEC3");
-  const Elements from = base(a, place);
-  std::vector<Vec3d> points(a.count);
-  with_component_type(a.componentType, [&](auto zero) {
-    using T = decltype(zero);
-    for (std::size_t i = 0; i < from.count; ++i)
-      points[i] = position<T>(from.first + i * from.stride, a.normalized);
-    if (!a.sparse.isSparse) return;
-    const std::vector<std::uint32_t> targets = sparse_targets(a, place);
-    const Elements values = sparse_values(a, 3 * sizeof(T), place);
-    for (std::size_t i = 0; i < targets.size(); ++i)
-      points[targets[i]] = position<T>(values.first + i * values.stride, a.normalized);
+std::vector<Vec3d> AccessorReader::vectors(int accessor, const std::string& wanted_by) {
+  const tinygltf::Accessor& a = at(accessor, wanted_by);
+  const std::string place = place_of(accessor);
+  check_kind(a, {"positions", TINYGLTF_TYPE_VEC3, any_component}, place);
+  auto points = read<Vec3d>(a, place, 1, [&a](const std::uint8_t* bytes, Vec3d* to, auto zero) {
+    *to = position<decltype(zero)>(bytes, a.normalized);
   });
   check_finite(points, place);
   return points;
+}
+
+std::vector<double> AccessorReader::numbers(int accessor, const ElementKind& kind,
+                                            const std::string& wanted_by) {
+  const tinygltf::Accessor& a = at(accessor, wanted_by);
+  const std::string place = place_of(accessor);
+  check_kind(a, kind, place);
+  const std::size_t components = component_count(a);
+  auto values = read<double>(a, place, components, [&](const std::uint8_t* bytes, double* to, auto zero) {
+    for (std::size_t c = 0; c < components; ++c)
+      to[c] = coordinate<decltype(zero)>(bytes + c * sizeof(zero), a.normalized);
+  });
+  const auto bad = std::ranges::find_if_not(values, [](double x) { return std::isfinite(x); });
+  if (bad != values.end())
+    fail_invalid(place, fmt::format("element {} is not finite",
+                                    static_cast<std::size_t>(bad - values.begin()) / components));
+  return values;
 }
 
 std::vector<std::uint32_t> AccessorReader::indices(int accessor, const std::string& wanted_by) {
@@ -123,29 +125,65 @@ std::vector<std::uint32_t> AccessorReader::indices(int accessor, const std::stri
   const std::string place = place_of(accessor);
   if (a.type != TINYGLTF_TYPE_SCALAR) fail_invalid(place, "indices that are not of type SCALAR");
   check_unsigned(a.componentType, place);
-  const Elements from = base(a, place);
-  std::vector<std::uint32_t> list(a.count);
-  with_component_type(a.componentType, [&](auto zero) {
-    using T = decltype(zero);
-    const auto index = [](const std::uint8_t* bytes) {
-      return static_cast<std::uint32_t>(from_little_endian<T>(bytes));
-    };
-    for (std::size_t i = 0; i < from.count; ++i) list[i] = index(from.first + i * from.stride);
-    if (!a.sparse.isSparse) return;
-    const std::vector<std::uint32_t> targets = sparse_targets(a, place);
-    const Elements values = sparse_values(a, sizeof(T), place);
-    for (std::size_t i = 0; i < targets.size(); ++i)
-      list[targets[i]] = index(values.first + i * values.stride);
+  auto list = read<std::uint32_t>(a, place, 1, [](const std::uint8_t* bytes, std::uint32_t* to, auto zero) {
+    *to = static_cast<std::uint32_t>(from_little_endian<decltype(zero)>(bytes));
   });
   check_restart(list, a.componentType, place);
   return list;
 }
 
+std::size_t AccessorReader::count(int accessor, const std::string& wanted_by) {
+  const tinygltf::Accessor& a = at(accessor, wanted_by);
+  base(a, place_of(accessor));
+  return a.count;
+}
+
+/// Calls decode(bytes, value, zero of the component's type) for the base's elements, then for sparse ones.
+template <class Value, class Decode>
+std::vector<Value> AccessorReader::read(const tinygltf::Accessor& a, const std::string& place,
+                                        std::size_t values_per_element, const Decode& decode) {
+  const Elements from = base(a, place);  // before memory is taken: it compares the count with the bytes
+  std::vector<Value> list(a.count * values_per_element);
+  with_component_type(a.componentType, [&](auto zero) {
+    const auto put = [&](std::size_t i, const std::uint8_t* bytes) {
+      decode(bytes, list.data() + i * values_per_element, zero);
+    };
+    for (std::size_t i = 0; i < from.count; ++i) put(i, from.first + i * from.stride);
+    if (!a.sparse.isSparse) return;
+    const std::vector<std::uint32_t> targets = sparse_targets(a, place);
+    const Elements values = sparse_values(a, component_count(a) * sizeof(zero), place);
+    for (std::size_t i = 0; i < targets.size(); ++i) put(targets[i], values.first + i * values.stride);
+  });
+  return list;
+}
+
+int AccessorReader::supply(int accessor, int view, std::size_t count, const std::string& wanted_by) {
+  Supplied copy{at(accessor, wanted_by), accessor};
+  copy.accessor.bufferView = view;
+  copy.accessor.byteOffset = 0;
+  copy.accessor.count = count;
+  supplied_.push_back(std::move(copy));
+  return first_index_of_ours + static_cast<int>(supplied_.size()) - 1;
+}
+
+std::string AccessorReader::place_of(int accessor) const {
+  const Supplied* supplied = supplied_at(accessor);
+  return fmt::format("accessors[{}]", supplied == nullptr ? accessor : supplied->declared);
+}
+
+const AccessorReader::Supplied* AccessorReader::supplied_at(int accessor) const {
+  const auto i = static_cast<std::size_t>(accessor) - first_index_of_ours;
+  return accessor >= first_index_of_ours && i < supplied_.size() ? &supplied_[i] : nullptr;
+}
+
 const tinygltf::Accessor& AccessorReader::at(int accessor, const std::string& wanted_by) const {
+  if (const Supplied* supplied = supplied_at(accessor)) return supplied->accessor;
   if (accessor < 0 || static_cast<std::size_t>(accessor) >= model_.accessors.size())
     fail_invalid(wanted_by,
                  fmt::format("accessor {} of {} does not exist", accessor, model_.accessors.size()));
-  return model_.accessors[static_cast<std::size_t>(accessor)];
+  const tinygltf::Accessor& found = model_.accessors[static_cast<std::size_t>(accessor)];
+  check_usable(found.extras);
+  return found;
 }
 
 /// The elements before sparse substitution; none where they are zeros.
@@ -154,9 +192,7 @@ AccessorReader::Elements AccessorReader::base(const tinygltf::Accessor& accessor
     check_zeros(accessor, place);
     return {};
   }
-  const auto size =
-      component_size(accessor.componentType) *
-      static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+  const std::size_t size = component_size(accessor.componentType) * component_count(accessor);
   return elements(accessor.bufferView, accessor.byteOffset, accessor.count, size, place, false);
 }
 
@@ -171,27 +207,20 @@ void AccessorReader::check_zeros(const tinygltf::Accessor& accessor, const std::
 AccessorReader::Elements AccessorReader::elements(int view_index, std::uint64_t offset, std::uint64_t count,
                                                   std::size_t size, const std::string& place,
                                                   bool tightly_packed) {
-  if (static_cast<std::size_t>(view_index) >= model_.bufferViews.size())
-    fail_invalid(place,
-                 fmt::format("buffer view {} of {} does not exist", view_index, model_.bufferViews.size()));
-  const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_index)];
+  const GltfViews::View view = views_.view(view_index, place);
   const std::string view_place = fmt::format("bufferViews[{}]", view_index);
-  const ByteSpan buffer = buffers_.bytes(static_cast<std::size_t>(view.buffer), view_place);
-  if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset)
-    fail_invalid(view_place, fmt::format("bytes {} + {} lie outside a buffer of {}", view.byteOffset,
-                                         view.byteLength, buffer.size()));
-
-  const std::size_t stride = view.byteStride == 0 || tightly_packed ? size : view.byteStride;
+  const std::size_t stride = view.stride == 0 || tightly_packed ? size : view.stride;
   if (stride < size)
     fail_invalid(view_place, fmt::format("byteStride {} for elements of {} bytes", stride, size));
   if (count == 0) return {};
-  const bool fits = offset <= view.byteLength && size <= view.byteLength - offset &&
-                    count - 1 <= (view.byteLength - offset - size) / stride;
+  const std::size_t length = view.bytes.size();
+  const bool fits =
+      offset <= length && size <= length - offset && count - 1 <= (length - offset - size) / stride;
   if (!fits)
     fail_invalid(place,
                  fmt::format("{} elements of {} bytes from byte {} at stride {} do not fit {} of {} bytes",
-                             count, size, offset, stride, view_place, view.byteLength));
-  return {buffer.data() + view.byteOffset + offset, stride, count};
+                             count, size, offset, stride, view_place, length));
+  return {view.bytes.data() + offset, stride, count};
 }
 
 std::vector<std::uint32_t> AccessorReader::sparse_targets(const tinygltf::Accessor& accessor,

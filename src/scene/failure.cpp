@@ -12,11 +12,14 @@ void fail_unsupported(std::string place, const std::string& what) {
   throw Error(Error::Code::unsupported, std::move(place), what);
 }
 
+std::string what_of(const Error& error) {
+  const std::string message = error.what();
+  return error.place().empty() ? message : message.substr(error.place().size() + 2);
+}
+
 Error in_file(const std::string& file, const Error& error) {
-  if (error.place().empty()) return Error(error.code(), file, error.what());
-  // what() repeats the place; it must stand only once in the new message.
-  const std::string what = std::string(error.what()).substr(error.place().size() + 2);
-  return Error(error.code(), file + ": " + error.place(), what);
+  const std::string place = error.place().empty() ? file : file + ": " + error.place();
+  return Error(error.code(), place, what_of(error));
 }
 
 }  // namespace provis

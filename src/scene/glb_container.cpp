@@ -37,6 +37,7 @@ Chunk chunk_at(ByteSpan file, std::size_t offset) {
 ByteSpan declared(ByteSpan file) {
   if (file.size() < header_size) fail_invalid(at_byte(file.size()), "truncated GLB header");
   const std::uint32_t version = word(file, 4), length = word(file, 8);
+  if (version == 0) fail_invalid(at_byte(4), "there is no GLB version 0");
   if (version != 2) fail_unsupported(at_byte(4), fmt::format("GLB version {}", version));
   if (length > file.size())
     fail_invalid(at_byte(8),

@@ -6,23 +6,12 @@
 #include <utility>
 
 #include "src/scene/failure.hpp"
-#include "src/scene/gltf_reduce.hpp"
 #include "src/scene/uri.hpp"
 
 namespace provis {
 namespace {
 
-constexpr JsonMember buffer_members[] = {{"uri", JsonKind::text}, {"byteLength", JsonKind::count, true}};
-
-/// Whether the buffer says of itself that it exists for sizes only.
-bool is_placeholder(const Json& buffer) {
-  const Json* extensions = find_member(buffer, "extensions");
-  if (extensions == nullptr || !extensions->is_object()) return false;
-  const Json* meshopt = find_member(*extensions, meshopt_extension);
-  if (meshopt == nullptr || !meshopt->is_object()) return false;
-  const Json* fallback = find_member(*meshopt, "fallback");
-  return fallback != nullptr && fallback->is_boolean() && fallback->get<bool>();
-}
+constexpr JsonMember buffer_members[] = {{"uri", JsonKind::text}, {"byteLength", JsonKind::count}};
 
 }  // namespace
 
@@ -35,8 +24,7 @@ GltfBuffers::GltfBuffers(const Json& document, std::filesystem::path folder, std
     const Json checked = checked_members((*all)[i], fmt::format("buffers[{}]", i), buffer_members);
     Buffer buffer;
     if (const Json* uri = find_member(checked, "uri")) buffer.uri = uri->get<std::string>();
-    buffer.length = checked["byteLength"].get<std::uint64_t>();
-    buffer.placeholder = is_placeholder((*all)[i]);
+    if (const Json* length = find_member(checked, "byteLength")) buffer.length = length->get<std::uint64_t>();
     buffers_.push_back(std::move(buffer));
   }
 }
@@ -46,16 +34,16 @@ ByteSpan GltfBuffers::bytes(std::size_t index, const std::string& wanted_by) {
     fail_invalid(wanted_by, fmt::format("buffer {} of {} does not exist", index, buffers_.size()));
   Buffer& buffer = buffers_[index];
   const std::string place = fmt::format("buffers[{}]", index);
+  if (!buffer.length) fail_invalid(place, "byteLength is missing");
   const ByteSpan data = available(buffer, index, place);
-  if (data.size() < buffer.length)
-    fail_invalid(place, fmt::format("byteLength is {}, but there are {} bytes", buffer.length, data.size()));
-  return data.first(buffer.length);
+  if (data.size() < *buffer.length)
+    fail_invalid(place, fmt::format("byteLength is {}, but there are {} bytes", *buffer.length, data.size()));
+  return data.first(*buffer.length);
 }
 
 ByteSpan GltfBuffers::available(Buffer& buffer, std::size_t index, const std::string& place) {
   if (buffer.loaded) return *buffer.loaded;
   if (!buffer.uri) {
-    if (buffer.placeholder) fail_unsupported(place, fmt::format("the data is in {} only", meshopt_extension));
     if (index != 0 || !binary_) fail_invalid(place, "neither a uri nor a binary chunk");
     return *binary_;
   }

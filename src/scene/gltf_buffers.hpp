@@ -19,15 +19,14 @@ class GltfBuffers {
 
   /// Exactly byteLength bytes.
   ///
-  /// Throws:     Error::invalid_input (missing, too short, outside the folder), Error::unsupported for a
-  ///             placeholder without data, as EXT_meshopt_compression leaves it
+  /// Throws:     Error::invalid_input: missing, too short, outside the folder, or without data, as
+  ///             EXT_meshopt_compression leaves placeholders
   ByteSpan bytes(std::size_t buffer, const std::string& wanted_by);
 
  private:
   struct Buffer {
     std::optional<std::string> uri;
-    std::uint64_t length = 0;
-    bool placeholder = false;
+    std::optional<std::uint64_t> length;
     std::optional<Bytes> loaded;
   };
 

@@ -2,19 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "src/scene/failure.hpp"
+#include "src/scene/gltf_fault.hpp"
 #include "src/scene/gltf_reduce.hpp"
 
 namespace provis {
 namespace {
-
-/// The accessor of that attribute, or -1.
-int attribute(const tinygltf::Primitive& primitive, const char* name) {
-  const auto found = primitive.attributes.find(name);
-  return found == primitive.attributes.end() ? -1 : found->second;
-}
 
 bool lets_light_through(const tinygltf::Material& material) {
   if (material.alphaMode != "OPAQUE") return true;
@@ -30,22 +27,11 @@ std::uint8_t flags_of(const tinygltf::Model& model, int material, const std::str
   if (static_cast<std::size_t>(material) >= model.materials.size())
     fail_invalid(place, fmt::format("material {} of {} does not exist", material, model.materials.size()));
   const tinygltf::Material& m = model.materials[static_cast<std::size_t>(material)];
+  check_usable(m.extras);
   unsigned flags = 0;
   if (!m.doubleSided) flags |= single_sided;
   if (lets_light_through(m)) flags |= see_through;
   return static_cast<std::uint8_t>(flags);
-}
-
-/// A file may give the same geometry uncompressed beside the extension; only then can it be read.
-void check_compression(const tinygltf::Primitive& primitive, AccessorReader& accessors,
-                       const std::string& place) {
-  if (primitive.extensions.count(draco_extension) == 0) return;
-  const auto missing = [&](const char* name) {
-    const int accessor = attribute(primitive, name);
-    return accessor >= 0 && !accessors.has_data(accessor, place);
-  };
-  if (missing("POSITION") || missing(indices_attribute))
-    fail_unsupported(place, fmt::format("the geometry is in {} only", draco_extension));
 }
 
 Skipped points(std::uint64_t count) { return {count, 0}; }
@@ -97,35 +83,69 @@ Corners corners_of(int indices, std::size_t vertices, AccessorReader& accessors,
   Corners corners = accessors.indices(indices, place + ".indices");
   for (std::size_t i = 0; i < corners.size(); ++i)
     if (corners[i] >= vertices)
-      fail_invalid(place, fmt::format("accessors[{}]: element {} is vertex {} of {}", indices, i, corners[i],
-                                      vertices));
+      fail_invalid(place, fmt::format("{}: element {} is vertex {} of {}", accessors.place_of(indices), i,
+                                      corners[i], vertices));
   return corners;
+}
+
+/// One per vertex; empty if the file has none.
+std::vector<double> radii_of(const tinygltf::Primitive& primitive, std::size_t vertices,
+                             AccessorReader& accessors, const std::string& place) {
+  constexpr ElementKind kind = {"radii", TINYGLTF_TYPE_SCALAR, any_component};
+  const int accessor = attribute(primitive, radius_attribute);
+  if (accessor < 0) return {};
+  std::vector<double> radii =
+      accessors.numbers(accessor, kind, fmt::format("{}.attributes.{}", place, radius_attribute));
+  const std::string accessor_place = accessors.place_of(accessor);
+  if (radii.size() != vertices)
+    fail_invalid(accessor_place, fmt::format("{} radii for {} vertices", radii.size(), vertices));
+  const auto negative = std::ranges::find_if(radii, [](double r) { return r < 0; });
+  if (negative != radii.end())
+    fail_invalid(accessor_place,
+                 fmt::format("element {}, a radius, is {}", negative - radii.begin(), *negative));
+  return radii;
+}
+
+Shape shape_of(int mode, bool points_are_spheres) {
+  if (mode >= TINYGLTF_MODE_TRIANGLES) return Shape::triangles;
+  return mode == TINYGLTF_MODE_POINTS && points_are_spheres ? Shape::spheres : Shape::nothing;
+}
+
+std::vector<Triangle> triangles_of(int mode, const Corners& corners, const std::string& place) {
+  if (mode == TINYGLTF_MODE_TRIANGLES) return separate_triangles(corners, place);
+  return mode == TINYGLTF_MODE_TRIANGLE_STRIP ? strip_triangles(corners) : fan_triangles(corners);
 }
 
 }  // namespace
 
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
+  const auto found = primitive.attributes.find(name);
+  return found == primitive.attributes.end() ? -1 : found->second;
+}
+
 DecodedPrimitive decode_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-                                  AccessorReader& accessors, const std::string& place) {
+                                  AccessorReader& accessors, const std::string& place,
+                                  bool points_are_spheres) {
   DecodedPrimitive decoded;
   if (primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
     fail_invalid(place + ".mode", fmt::format("unknown mode {}", primitive.mode));
-  check_compression(primitive, accessors, place);
   const int positions = attribute(primitive, "POSITION"), indices = attribute(primitive, indices_attribute);
   if (positions < 0) return decoded;
 
   decoded.flags = flags_of(model, primitive.material, place + ".material");
   const std::size_t vertices = accessors.positions(positions, place + ".attributes.POSITION").size();
-  const Corners corners = corners_of(indices, vertices, accessors, place);
-  if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+  Corners corners = corners_of(indices, vertices, accessors, place);
+  if (primitive.mode == TINYGLTF_MODE_POINTS) decoded.radii = radii_of(primitive, vertices, accessors, place);
+  decoded.shape = shape_of(primitive.mode, points_are_spheres || !decoded.radii.empty());
+  if (decoded.shape == Shape::nothing) {
     decoded.skipped = skipped(primitive.mode, corners.size());
     return decoded;
   }
   decoded.positions = positions;
-  if (primitive.mode == TINYGLTF_MODE_TRIANGLES)
-    decoded.triangles = separate_triangles(corners, place);
+  if (decoded.shape == Shape::spheres)
+    decoded.points = std::move(corners);
   else
-    decoded.triangles =
-        primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ? strip_triangles(corners) : fan_triangles(corners);
+    decoded.triangles = triangles_of(primitive.mode, corners, place);
   return decoded;
 }
 

@@ -11,7 +11,8 @@
 namespace provis {
 namespace {
 
-constexpr std::uint64_t largest_index = (std::uint64_t{1} << 31) - 1, largest_count = std::uint64_t{1} << 53;
+constexpr std::uint64_t largest_index = first_index_of_ours - 1, largest_int = (std::uint64_t{1} << 31) - 1,
+                        largest_count = std::uint64_t{1} << 53;
 
 Json checked_integer(const Json& value, const std::string& place, std::uint64_t largest) {
   if (value.is_number_unsigned()) {
@@ -22,8 +23,8 @@ Json checked_integer(const Json& value, const std::string& place, std::uint64_t 
       return static_cast<std::uint64_t>(x);
   }
   if (value.is_number())
-    fail_invalid(place, fmt::format("{} is no integer from 0 to {}", value.dump(), largest));
-  fail_invalid(place, fmt::format("{} instead of an integer", value.type_name()));
+    throw WrongKind(place, fmt::format("{} is no integer from 0 to {}", value.dump(), largest));
+  throw WrongKind(place, fmt::format("{} instead of an integer", value.type_name()));
 }
 
 Json checked_value(const Json& value, const std::string& place, const JsonMember& member);
@@ -40,12 +41,14 @@ Json checked_array(const Json& value, const std::string& place, const JsonMember
 
 Json checked_value(const Json& value, const std::string& place, const JsonMember& member) {
   const auto expect = [&](bool fits, const char* what) {
-    if (!fits) fail_invalid(place, fmt::format("{} instead of {}", value.type_name(), what));
+    if (!fits) throw WrongKind(place, fmt::format("{} instead of {}", value.type_name(), what));
     return value;
   };
   switch (member.kind) {
     case JsonKind::index:
       return checked_integer(value, place, largest_index);
+    case JsonKind::small_count:
+      return checked_integer(value, place, largest_int);
     case JsonKind::count:
       return checked_integer(value, place, largest_count);
     case JsonKind::flag:
@@ -83,11 +86,11 @@ Json checked_members(const Json& object, const std::string& place, std::span<con
 }
 
 void require_object(const Json& value, const std::string& place) {
-  if (!value.is_object()) fail_invalid(place, fmt::format("{} instead of an object", value.type_name()));
+  if (!value.is_object()) throw WrongKind(place, fmt::format("{} instead of an object", value.type_name()));
 }
 
 void require_array(const Json& value, const std::string& place) {
-  if (!value.is_array()) fail_invalid(place, fmt::format("{} instead of an array", value.type_name()));
+  if (!value.is_array()) throw WrongKind(place, fmt::format("{} instead of an array", value.type_name()));
 }
 
 }  // namespace provis

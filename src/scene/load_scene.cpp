@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -18,12 +21,16 @@ std::string_view beginning(ByteSpan file) {
   return first == std::string_view::npos ? std::string_view{} : text.substr(first);
 }
 
-SceneSource load_by_content(ByteSpan file, const std::filesystem::path& folder, const LoadOptions& options) {
-  if (is_glb(file)) return load_gltf(file, folder, options);
-  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
-  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return load_ply(file, options);
-  if (beginning(file).starts_with('{')) return load_gltf(file, folder, options);
-  fail_invalid("byte 0", file.empty() ? "the file is empty" : "neither glTF nor PLY");
+void check_options(const LoadOptions& options) {
+  const auto fail = [](const char* option, const std::string& what) {
+    throw Error(Error::Code::usage, option, what);
+  };
+  if (options.scene && *options.scene < 0) fail("--scene", fmt::format("{} is no index", *options.scene));
+  if (options.time && !std::isfinite(*options.time))
+    fail("--time", fmt::format("{} is no time", *options.time));
+  if (!options.animation.empty() && !options.time) fail("--animation", "needs --time");
+  if (options.radius && !(*options.radius > 0 && std::isfinite(*options.radius)))
+    fail("--radius", fmt::format("{} is no radius above 0", *options.radius));
 }
 
 void check_hash(const SceneSource& source) {
@@ -41,10 +48,19 @@ void clear_flag(SceneArrays& arrays, PrimitiveFlag flag) {
 
 }  // namespace
 
+SceneSource load_source(ByteSpan file, const std::filesystem::path& folder, const LoadOptions& options) {
+  if (is_glb(file)) return load_gltf(file, folder, options);
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return load_ply(file, options);
+  if (beginning(file).starts_with('{')) return load_gltf(file, folder, options);
+  fail_invalid("byte 0", file.empty() ? "the file is empty" : "neither glTF nor PLY");
+}
+
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options) {
+  check_options(options);
   try {
     const Bytes bytes = read_file(file);
-    SceneSource source = load_by_content(bytes, file.parent_path(), options);
+    SceneSource source = load_source(bytes, file.parent_path(), options);
     check_hash(source);
     if (options.sides == Sides::both) clear_flag(source.arrays, single_sided);
     if (options.opacity == Opacity::all) clear_flag(source.arrays, see_through);

@@ -1,5 +1,6 @@
 #include "src/scene/placement.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "predicates/exact_number.hpp"
@@ -47,6 +48,24 @@ Placement compose(const Placement& parent, const Placement& local) {
     }
   }
   return world;
+}
+
+// A quaternion of length sqrt(1 + e) turns a unit vector into one of squared length within 4e of 1, and unit
+// vectors at right angles into ones whose scalar product is within 2e of 0. Rounding its components to
+// float32 makes e at most 2^-23 (2 times the sum of |q|, at most 2, times 2^-25), so two such rotations, one
+// below the other, are still taken as rotations.
+std::optional<double> uniform_scale(const Placement& m) {
+  const auto product = [&m](std::size_t a, std::size_t b) {
+    const auto& r = m.rows;
+    return (r[0][a] * r[0][b] + r[1][a] * r[1][b]) + r[2][a] * r[2][b];
+  };
+  const double squares[] = {product(0, 0), product(1, 1), product(2, 2)};
+  const auto [least, most] = std::ranges::minmax(squares);
+  if (std::isinf(most)) return most;
+  const double slack = most / (1 << 20);
+  const bool even = most - least <= slack && std::abs(product(0, 1)) <= slack &&
+                    std::abs(product(0, 2)) <= slack && std::abs(product(1, 2)) <= slack;
+  return even ? std::optional(std::sqrt(squares[0])) : std::nullopt;
 }
 
 Sign determinant_sign(const Placement& m) {

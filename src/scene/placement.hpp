@@ -2,6 +2,7 @@
 // Affine maps of glTF nodes: the loading arithmetic of R1, in float64, in a fixed order.
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "predicates/sign.hpp"
@@ -33,6 +34,13 @@ inline Vec3d apply(const Placement& m, const Vec3d& p) {
   };
   return {row(m.rows[0]), row(m.rows[1]), row(m.rows[2])};
 }
+
+/// By how much lengths grow, in all directions alike; nothing where a ball would become an ellipsoid.
+///
+/// Returns:    the first column's length, sqrt((m00 m00 + m10 m10) + m20 m20); infinite on overflow
+/// Error:      the columns' squared lengths and their scalar products may be off by 2^-20 of the largest
+///             squared length
+std::optional<double> uniform_scale(const Placement& m);
 
 /// The sign of the linear part's determinant.
 ///

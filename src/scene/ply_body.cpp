@@ -74,7 +74,9 @@ PlyBody::PlyBody(ByteSpan file, const PlyHeader& header)
       body_offset_(header.body_offset),
       body_line_(header.body_line),
       position_(header.body_offset),
-      row_position_(header.body_offset) {}
+      row_position_(header.body_offset),
+      counted_to_(header.body_offset),
+      counted_line_(header.body_line) {}
 
 void PlyBody::check_count(const PlyElement& element) const {
   std::uint64_t least = 0;
@@ -122,15 +124,21 @@ void PlyBody::fail(std::size_t position, const std::string& what) const {
   fail_invalid(place(position), what);
 }
 
-/// Lines are counted only here: nobody needs their numbers while all goes well.
+/// Lines are counted only here: nobody needs their numbers while all goes well. Where many rows are left
+/// out, each is counted from the one before.
 std::string PlyBody::place(std::size_t position) const {
   if (encoding_ != PlyEncoding::ascii) return fmt::format("byte {}", position);
-  std::size_t line = body_line_;
   // A row is read from where the last one ended: skip to its first word.
   while (position < file_.size() && (is_blank(file_[position]) || is_line_end(file_[position]))) ++position;
-  for (std::size_t i = body_offset_; i < position; ++i)
-    line += file_[i] == '\n' || (file_[i] == '\r' && !(i + 1 < file_.size() && file_[i + 1] == '\n'));
-  return fmt::format("line {}", line);
+  if (position < counted_to_) {
+    counted_to_ = body_offset_;
+    counted_line_ = body_line_;
+  }
+  for (; counted_to_ < position; ++counted_to_) {
+    const bool followed = counted_to_ + 1 < file_.size() && file_[counted_to_ + 1] == '\n';
+    counted_line_ += file_[counted_to_] == '\n' || (file_[counted_to_] == '\r' && !followed);
+  }
+  return fmt::format("line {}", counted_line_);
 }
 
 double PlyBody::value(PlyType type) {

@@ -51,6 +51,7 @@ class PlyBody {
   PlyEncoding encoding_;
   std::size_t body_offset_, body_line_;
   std::size_t position_, row_position_;
+  mutable std::size_t counted_to_, counted_line_;  ///< the last place that was asked for, and its line
 };
 
 }  // namespace provis

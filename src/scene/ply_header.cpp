@@ -46,7 +46,8 @@ std::optional<std::size_t> find_property(const PlyElement& element, const std::s
 
 /// Of two properties of one name that nobody reads, it does not matter which one is meant.
 bool is_geometry(const std::string& property) {
-  constexpr std::array names = {"x", "y", "z", "radius", "flags", "vertex_index", "vertex_indices"};
+  constexpr std::array names = {"x",  "y",      "z",     "vx",           "vy",
+                                "vz", "radius", "flags", "vertex_index", "vertex_indices"};
   return std::ranges::find(names, property) != names.end();
 }
 

@@ -68,6 +68,9 @@ void check_sources(const std::vector<SourceRange>& sources, std::size_t primitiv
     if (sources[i].first != next)
       fail_invalid(fmt::format("sources[{}]", i),
                    fmt::format("starts at id {} instead of {}", sources[i].first, next));
+    if (sources[i].per_element == 0 || sources[i].count % sources[i].per_element != 0)
+      fail_invalid(fmt::format("sources[{}]", i), fmt::format("{} ids are no multiple of {} for each element",
+                                                              sources[i].count, sources[i].per_element));
     next += sources[i].count;
   }
   if (next != primitives) fail_invalid("sources", fmt::format("covers {} of {} ids", next, primitives));

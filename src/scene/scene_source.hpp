@@ -15,6 +15,11 @@ struct SceneSource {
   std::optional<std::string> hash;  ///< that the file claims to have
 };
 
+/// Tells the format by the file's first bytes.
+///
+/// Throws:     Error::invalid_input for neither format; whatever the format's reader throws
+SceneSource load_source(ByteSpan file, const std::filesystem::path& folder, const LoadOptions& options);
+
 /// glTF 2.0, binary or text; folder: where its URIs point.
 SceneSource load_gltf(ByteSpan file, const std::filesystem::path& folder, const LoadOptions& options);
 

@@ -31,6 +31,19 @@ std::string take(int file) {
   return text;
 }
 
+/// Nine vertices and these faces.
+std::string small_scene(int count, const std::string& faces) {
+  return "ply\nformat ascii 1.0\nelement vertex 9\n"
+         "property double x\nproperty double y\nproperty double z\n"
+         "element face " +
+         std::to_string(count) +
+         "\nproperty list uchar int vertex_indices\nend_header\n"
+         "-2 -1 -2\n0 -1 -2\n-1 1 -2\n"
+         "-1.5 -1 -3\n-0.5 -1 -3\n-1 0 -3\n"
+         "0.5 -1 -2\n1.5 -1 -2\n1 1 -2\n" +
+         faces;
+}
+
 }  // namespace
 
 Child::Child(const std::vector<std::string>& arguments, const std::string& shell)
@@ -65,13 +78,20 @@ Outcome provis_run(const std::vector<std::string>& arguments, const std::string&
 }
 
 std::string write_small_scene(const std::filesystem::path& file) {
-  std::ofstream(file) << "ply\nformat ascii 1.0\nelement vertex 9\n"
-                         "property double x\nproperty double y\nproperty double z\n"
-                         "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
-                         "-2 -1 -2\n0 -1 -2\n-1 1 -2\n"
-                         "-1.5 -1 -3\n-0.5 -1 -3\n-1 0 -3\n"
-                         "0.5 -1 -2\n1.5 -1 -2\n1 1 -2\n"
-                         "3 0 1 2\n3 3 4 5\n3 6 7 8\n3 0 0 1\n";
+  std::ofstream(file) << small_scene(4, "3 0 1 2\n3 3 4 5\n3 6 7 8\n3 0 0 1\n");
+  return file.string();
+}
+
+std::string write_broken_scene(const std::filesystem::path& file) {
+  std::ofstream(file) << small_scene(6, "3 0 1 2\n3 3 4 5\n3 0 1 9\n0\n3 6 7 8\n3 0 0 1\n");
+  return file.string();
+}
+
+std::string write_particles(const std::filesystem::path& file) {
+  std::ofstream(file) << "ply\nformat ascii 1.0\nelement sphere 3\n"
+                         "property double x\nproperty double y\nproperty double z\nproperty double radius\n"
+                         "property double vx\nproperty double vy\nproperty double vz\nend_header\n"
+                         "0 0 -5 1 0 0 0\n1 2 3 0.5 1 0 -1\n4 4 4 0 0 0 0\n";
   return file.string();
 }
 

@@ -34,4 +34,10 @@ Outcome provis_run(const std::vector<std::string>& arguments, const std::string&
 /// Writes a scene to look at from the origin along -z: triangle 0 hides 1; 2 is beside them, 3 has no area.
 std::string write_small_scene(const std::filesystem::path& file);
 
+/// The same with two invalid faces before triangle 2: they stand in lines 21 and 22.
+std::string write_broken_scene(const std::filesystem::path& file);
+
+/// Three spheres, the second with a velocity, as an element of their own.
+std::string write_particles(const std::filesystem::path& file);
+
 }  // namespace provis::test

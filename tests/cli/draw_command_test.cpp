@@ -61,6 +61,16 @@ TEST_CASE("omni results and perturbed results are drawn from the scene they were
   CHECK(provis_run({"draw", moved.scene, moved.result, "--above", moved.above}).status == 0);
 }
 
+TEST_CASE("a scene is loaded again as the result recorded it") {
+  Drawn drawn({"--dir", "0,0,-1"});
+  const std::string broken = write_broken_scene(drawn.directory.path() / "broken.ply");
+  const std::string result = (drawn.directory.path() / "broken.json").string();
+  REQUIRE(
+      provis_run({"point", broken, "--eye", "0,0,0", "--dir", "0,0,-1", "--skip-invalid", "--out", result})
+          .status == 0);
+  CHECK(provis_run({"draw", broken, result, "--above", drawn.above}).status == 0);
+}
+
 TEST_CASE("a result of another scene is refused") {
   const Drawn drawn({"--dir", "0,0,-1"});
   std::string text = read_text(drawn.scene);

@@ -35,9 +35,24 @@ TEST_CASE("help and version go to standard output") {
   for (const char* text : {"[0,1,0;", "[60]", "degrees", "[1280x720]", "scene units", "{material,both}"}) {
     CHECK_THAT(point.out, Catch::Contains(text));
   }
+  for (const char* option : {"--scene", "--time", "--animation", "--radius", "--skip-invalid", "seconds"}) {
+    CHECK_THAT(point.out, Catch::Contains(option));
+  }
   const Outcome version = provis_run({"--version"});
   CHECK(version.status == 0);
   CHECK_THAT(version.out, Catch::StartsWith("provis "));
+}
+
+TEST_CASE("help fits 100 columns") {
+  for (const char* command : {"", "info", "export", "point", "draw"}) {
+    std::vector<std::string> words = {command, "--help"};
+    if (words[0].empty()) words.erase(words.begin());
+    std::istringstream help(provis_run(words).out);
+    for (std::string line; std::getline(help, line);) {
+      CAPTURE(line);
+      CHECK(line.size() <= 100);
+    }
+  }
 }
 
 TEST_CASE("wrong usage ends with 1") {
@@ -50,6 +65,7 @@ TEST_CASE("wrong usage ends with 1") {
   fails(provis_run({"info", scene, "--sides", "front"}), 1, "--sides");
   fails(provis_run({"export", scene}), 1, "--out");
   fails(provis_run({"point", scene, "--dir", "1,0,0"}), 1, "--eye");
+  fails(provis_run({"point", scene, "--eye", "0,0,0"}), 1, "no direction is given");
   fails(provis_run({"point", scene, "--eye", "0,0,nan", "--dir", "1,0,0"}), 1, "--eye");
   fails(provis_run({"point", scene, "--eye", "0,0,0", "--dir", "1,0,0", "--method", "guess"}), 1, "--method");
   fails(provis_run({"point", scene, "--eye", "0,0,0", "--dir", "1,0,0", "--threads", "-1"}), 1, "--threads");

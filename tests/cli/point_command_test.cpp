@@ -137,6 +137,42 @@ TEST_CASE("a perturbed query says so") {
   CHECK(json["scene"]["hash"] == perturb(load_scene(query.scene), 1e-8, 3).hash());
 }
 
+TEST_CASE("a result says what was left out, and how the scene was loaded") {
+  const Query query;
+  const std::string broken = write_broken_scene(query.directory.path() / "broken.ply");
+  const Words words = {"point", broken, "--eye", "0,0,0", "--dir", "0,0,-1"};
+  CHECK(provis_run(words).status == 2);
+  const Outcome summary = provis_run(words + Words{"--skip-invalid"});
+  CHECK(summary.status == 0);
+  CHECK_THAT(summary.out, Catch::Contains("left out   2 invalid primitives\n"));
+  CHECK(std::count(summary.out.begin(), summary.out.end(), '\n') == 11);
+  CHECK_THAT(summary.err, Catch::Contains("warning: " + broken + ": left out 2 invalid primitives\n") &&
+                              Catch::Contains("line 21: face 2 uses vertex 9 of 9\n"));
+  const Json json =
+      Json::parse(provis_run(words + Words{"--skip-invalid", "--radius", "0.1", "--out", "-"}).out);
+  CHECK(json["visible"] == Json::array({0, 2}));
+  CHECK(json["scene"]["left_out"].size() == 2);
+  CHECK(json["scene"]["left_out"][0] == Json{{"place", "line 21"}, {"reason", "face 2 uses vertex 9 of 9"}});
+  CHECK(json["query"]["skip_invalid"] == "true");
+  CHECK(json["query"]["radius"] == "0.1");
+  CHECK_FALSE(Json::parse(query.run({"--out", "-"}).out)["scene"].contains("left_out"));
+}
+
+TEST_CASE("of many that were left out the warning shows the first few") {
+  const Query query;
+  const std::string file = query.path("many.ply");
+  std::ofstream(file)
+      << "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 9\nproperty list uchar int vertex_indices\nend_header\n"
+         "0 0 0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n";
+  const Outcome outcome =
+      provis_run({"point", file, "--skip-invalid", "--eye", "0,0,0", "--view", "omni", "--ids", "-"});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.empty());
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 5);
+  CHECK_THAT(outcome.err, Catch::Contains("and 6 more"));
+}
+
 TEST_CASE("talk gives way to a result on standard output") {
   const Query query;
   const Outcome piped = query.run({"--ids", "-", "--stats", "--effects"});

@@ -27,14 +27,19 @@ ViewRequest verbatim() {
   return request;
 }
 
-void refused(const ViewRequest& request, const std::string& option) {
+std::string complaint(const ViewRequest& request) {
   try {
     build_view(request, "--");
     FAIL("was taken");
+    return "";
   } catch (const Error& error) {
     CHECK(error.code() == Error::Code::usage);
-    CHECK_THAT(error.what(), Catch::Contains(option));
+    return error.what();
   }
+}
+
+void refused(const ViewRequest& request, const std::string& option) {
+  CHECK_THAT(complaint(request), Catch::Contains(option));
 }
 
 }  // namespace
@@ -75,6 +80,15 @@ TEST_CASE("an omni view is six frames around the eye") {
   CHECK(build_view(request, "--").frames.size() == 6);
   request.dir = Vec3d{1, 0, 0};
   refused(request, "--dir");
+}
+
+TEST_CASE("a direction that is missing is no direction that is stated twice") {
+  ViewRequest none = camera();
+  none.dir.reset();
+  CHECK_THAT(complaint(none), Catch::Contains("no direction") && Catch::Contains("--look-at"));
+  ViewRequest twice = camera();
+  twice.look_at = Vec3d{0, 0, 0};
+  CHECK_THAT(complaint(twice), Catch::Contains("both") && Catch::Contains("--look-at"));
 }
 
 TEST_CASE("views that say too little, too much or nonsense are refused") {

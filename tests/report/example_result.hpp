@@ -14,11 +14,14 @@ inline ResultFile example_result() {
   header.scene_hash = std::string(64, 'a');
   header.triangles = 5;
   header.spheres = 1;
+  header.left_out = {{"line 12", "face 1 uses vertex 7 of 3"},
+                     {"meshes[0].primitives[\"1\"]", "a \n reason"}};
   header.view.eye = {0.1, -0.0, 1.0 / 3};
   header.view.frames = {
       Frame{{1, 1e-300, 0}, {0, 1e22, 5e-324}, {0, 0, -1.7976931348623157e308}, {-1.5, 0.1, -0.2, 0.7}}};
-  header.options = {{"sides", "material"}, {"opacity", "all"},      {"method", "exact"},
-                    {"perturb", "1e-08"},  {"arithmetic", "chain"}, {"seed", "7"}};
+  header.options = {
+      {"sides", "material"},   {"opacity", "all"}, {"method", "exact"}, {"perturb", "1e-08"},
+      {"arithmetic", "chain"}, {"seed", "7"},      {"time", "0.1"},     {"animation", "w\u00e4lk \"2\""}};
   VisibleSet& set = result.set;
   set.status = {Status::visible,   Status::hidden, Status::visible,
                 Status::undecided, Status::hidden, Status::visible};

@@ -38,6 +38,9 @@ TEST_CASE("a result survives writing and reading") {
   CHECK(back.header.triangles == 5);
   CHECK(back.header.spheres == 1);
   CHECK(back.header.options == result.header.options);
+  REQUIRE(back.header.left_out.size() == 2);
+  CHECK(back.header.left_out[0].place == "line 12");
+  CHECK(back.header.left_out[1].reason == "a \n reason");
   CHECK(back.header.view.projection == Projection::pinhole);
   CHECK(same_bits(back.header.view.eye, result.header.view.eye));
   REQUIRE(back.header.view.frames.size() == 1);
@@ -97,6 +100,12 @@ TEST_CASE("a million ids take few lines and read back") {
   const std::string text = read_text(directory.path() / "r.json");
   CHECK(std::count(text.begin(), text.end(), '\n') < 60000);
   CHECK(read_result(directory.path() / "r.json").set.status == result.set.status);
+}
+
+TEST_CASE("a file name that is no UTF-8 is written all the same") {
+  ResultFile result = example_result();
+  result.header.scene_file = "caf\xe9.glb";
+  CHECK(nlohmann::json::parse(text_of(result))["scene"]["file"] == "caf\xef\xbf\xbd.glb");
 }
 
 TEST_CASE("ids are the visible ones, ascending, one per line") {

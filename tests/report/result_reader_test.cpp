@@ -66,6 +66,8 @@ TEST_CASE("members that are wrong are named") {
   refused(failure_with("/query/right", Json::array({0, 0, -1})), "query");
   refused(failure_with("/scene/triangles", 1e10), "scene.triangles");
   refused(failure_with("/scene/triangles", 4294967296), "scene");
+  refused(failure_with("/scene/left_out", "none"), "scene.left_out");
+  refused(failure_with("/scene/left_out/1/place", 5), "scene.left_out[1].place");
   refused(failure_with("/visible", Json::array({0, 2, 6})), "visible");
   refused(failure_with("/visible", Json::array({2, 0, 5})), "visible");
   refused(failure_with("/visible", Json::array({0, 3, 5})), "id 3");

@@ -9,7 +9,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-bool has_type(const Json& value, const std::string& type) {
+bool has_type(const Json& value, const Json& types) {
+  if (types.is_array()) {
+    return std::any_of(types.begin(), types.end(), [&](const Json& type) { return has_type(value, type); });
+  }
+  const auto type = types.get<std::string>();
+  if (type == "null") return value.is_null();
   if (type == "object") return value.is_object();
   if (type == "array") return value.is_array();
   if (type == "string") return value.is_string();
@@ -37,7 +42,7 @@ class Validator {
       if (keyword == "$ref") {
         descend(root_.at(Json::json_pointer(rule.get<std::string>().substr(1))), value, "");
       } else if (keyword == "type") {
-        demand(has_type(value, rule), "is no " + rule.get<std::string>());
+        demand(has_type(value, rule), "is no " + rule.dump());
       } else if (keyword == "const") {
         demand(value == rule, "is not " + rule.dump());
       } else if (keyword == "enum") {
@@ -53,6 +58,7 @@ class Validator {
       } else if (keyword == "maxLength") {
         demand(!value.is_string() || value.get<std::string>().size() <= rule, "is too long");
       } else if (keyword == "required") {
+        if (!value.is_object()) continue;
         for (const Json& key : rule) demand(value.contains(key.get<std::string>()), "lacks " + key.dump());
       } else if (keyword == "properties") {
         for (const auto& [key, sub] : rule.items()) {

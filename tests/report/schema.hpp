@@ -1,5 +1,5 @@
 #pragma once
-// As much of JSON Schema as visible-set.schema.json uses.
+// As much of JSON Schema as the schemas of src/report use.
 
 #include <nlohmann/json.hpp>
 #include <string>

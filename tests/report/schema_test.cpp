@@ -40,7 +40,9 @@ TEST_CASE("a result without anything optional is valid") {
   ResultFile result = example_result();
   result.set.witnesses.clear();
   result.set.subdivision.clear();
+  result.header.left_out.clear();
   const Json json = written(result);
+  CHECK_FALSE(json["scene"].contains("left_out"));
   CHECK_FALSE(json.contains("witnesses"));
   CHECK_FALSE(json.contains("subdivision"));
   CHECK(schema_violations(schema(), json) == std::vector<std::string>{});
@@ -63,6 +65,8 @@ TEST_CASE("the schema notices every kind of damage") {
   CHECK(damaged("/witnesses/0/origin/0/0", 17));
   CHECK(damaged("/guarantee", "certain"));
   CHECK(damaged("/surplus", 1));
+  CHECK(damaged("/scene/left_out/0/reason", 1));
+  CHECK(damaged("/scene/left_out/0/surplus", "x"));
   CHECK(damaged("/stats/signs/facing/filter", "many"));
   const Json rules = schema();
   REQUIRE(rules["required"].size() == 12);

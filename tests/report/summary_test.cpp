@@ -15,7 +15,8 @@ TEST_CASE("a summary holds what the result says") {
   result.set.witnesses.clear();
   result.set.subdivision.clear();
   const std::string text = summary(result);
-  CHECK(std::count(text.begin(), text.end(), '\n') == 10);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 11);
+  CHECK_THAT(text, Catch::Contains("left out   2 invalid primitives\n"));
   CHECK_THAT(text, Catch::Contains("5 triangles, 1 spheres"));
   CHECK_THAT(text, Catch::Contains(std::string(64, 'a')));
   CHECK_THAT(text, Catch::Contains("visible    3 (50 %)"));
@@ -24,6 +25,12 @@ TEST_CASE("a summary holds what the result says") {
   CHECK_THAT(text, Catch::Contains("bounds, answers R7, eye-on-primitive"));
   CHECK_THAT(text, Catch::Contains("0.125 s on 2 threads"));
   CHECK_THAT(text, Catch::Contains("exact 100 %"));
+}
+
+TEST_CASE("nothing is said of what was left out where nothing was") {
+  ResultFile result = example_result();
+  result.header.left_out.clear();
+  CHECK_THAT(summary(result), !Catch::Contains("left out"));
 }
 
 TEST_CASE("a query without signs has no shares to divide") {

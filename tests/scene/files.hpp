@@ -61,10 +61,11 @@ Failure failure_of(const Call& call) {
 }
 
 /// Of loading a file with this content.
-inline Failure load_failure(const std::string& name, const std::string& content) {
+inline Failure load_failure(const std::string& name, const std::string& content,
+                            const LoadOptions& options = {}) {
   const TempFolder folder;
   const auto file = folder.write(name, content);
-  Failure failure = failure_of([&] { load_scene(file); });
+  Failure failure = failure_of([&] { load_scene(file, options); });
   const std::string prefix = file.string() + ": ";
   if (failure.place.rfind(prefix, 0) == 0) failure.place.erase(0, prefix.size());
   return failure;

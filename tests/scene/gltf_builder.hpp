@@ -80,6 +80,14 @@ class GltfBuilder {
     return accessor("SCALAR", 1, values);
   }
 
+  /// Integers that stand for fractions of the largest.
+  template <class T>
+  int normalized(const char* type, std::size_t components, const std::vector<T>& values) {
+    const int position = accessor(type, components, values);
+    json["accessors"][position]["normalized"] = true;
+    return position;
+  }
+
   /// A mesh of one primitive; members are added to it.
   int mesh(int position_accessor, Json members = Json::object()) {
     members["attributes"]["POSITION"] = position_accessor;
@@ -106,7 +114,7 @@ class GltfBuilder {
   }
 
   Scene load(const LoadOptions& options = {}) const { return load_content("scene.glb", glb(), options); }
-  Failure failure() const { return load_failure("scene.glb", glb()); }
+  Failure failure(const LoadOptions& options = {}) const { return load_failure("scene.glb", glb(), options); }
 
  private:
   static std::string chunk(const std::string& data, std::uint32_t type) {

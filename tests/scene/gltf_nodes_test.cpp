@@ -130,6 +130,35 @@ TEST_CASE("the default scene counts, else scene 0, else all roots") {
   CHECK_FAILURE(builder.failure(), 2, "scene");
 }
 
+TEST_CASE("the scene that is asked for wins over the default, which may then be broken") {
+  GltfBuilder builder;
+  const int mesh = builder.mesh(builder.positions(triangle_coordinates));
+  for (const double x : {1.0, 2.0}) builder.add("nodes", {{"mesh", mesh}, {"translation", {x, 0, 0}}});
+  LoadOptions options;
+  options.scene = 0;
+  CHECK_FAILURE(builder.failure(options), 1, "--scene");
+  builder.json["scenes"] = {{{"nodes", {0}}, {"name", "near"}}, {{"nodes", {1}}}};
+  builder.json["scene"] = 7;
+  CHECK(builder.load(options).corner(0, 0).x == 1);
+  options.scene = 1;
+  const Scene scene = builder.load(options);
+  CHECK(scene.corner(0, 0).x == 2);
+  CHECK(scene.notes().scene == 1);
+  CHECK(scene.notes().scenes == std::vector<std::string>{"near", ""});
+  for (const int none : {2, -1}) {
+    options.scene = none;
+    CHECK_FAILURE(builder.failure(options), 1, "--scene");
+  }
+  CHECK_FAILURE(builder.failure(), 2, "scene");
+}
+
+TEST_CASE("nodes of other scenes, and maps of nodes that place nothing, may be broken") {
+  GltfBuilder builder = one_triangle();
+  builder.root({{"scale", {1e200, 1, 1}}, {"rotation", {0, 0, 1e200, 0}}, {"skin", 9}});
+  builder.add("nodes", {{"scale", {1e300, 1, 1}}, {"rotation", {0, 0, 1e200, 0}}, {"mesh", 9}});
+  CHECK(builder.load().triangles().size() == 1);
+}
+
 TEST_CASE("a scene without nodes is empty") {
   GltfBuilder builder;
   builder.json["scenes"] = {{{"name", "nothing"}}};
