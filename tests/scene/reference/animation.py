@@ -20,9 +20,11 @@ def pose(document, animation, time):
 
 
 def find(animations, wanted):
+    """An exact name wins over an index."""
+    names = [a.get("name") for a in animations]
     if not wanted:
         return 0
-    return int(wanted) if wanted.isdecimal() else [a.get("name") for a in animations].index(wanted)
+    return names.index(wanted) if wanted in names else int(wanted)
 
 
 def sample(document, sampler, path, time):
