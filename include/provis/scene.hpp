@@ -54,7 +54,7 @@ struct Skipped {
 
 /// Something of the file that LoadOptions::skip_invalid left out.
 struct LeftOut {
-  std::string place;   ///< line or byte of a PLY row
+  std::string place;   ///< node, mesh and primitive, or line or byte of a PLY row
   std::string reason;  ///< what would have been the error
 };
 
@@ -141,7 +141,7 @@ struct LoadOptions {
                                       ///< PLY file: what the velocities of its spheres are multiplied by
   std::string animation = {};         ///< index or name; empty: the first. Needs time
   std::optional<double> radius = {};  ///< of points that have none of their own, in scene units
-  bool skip_invalid = false;          ///< leave broken primitives of a PLY file out, and list them
+  bool skip_invalid = false;          ///< leave broken primitives out, and list them, instead of failing
 };
 
 /// Reads a scene from a glTF 2.0 (.gltf, .glb) or PLY (.ply) file, told apart by content.

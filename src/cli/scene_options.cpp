@@ -55,8 +55,8 @@ void SceneOptions::add_to(CLI::App& command) {
   command
       .add_flag(
           "--skip-invalid", skip_invalid,
-          "Leave out broken faces and spheres of a PLY file (an index out of range, a coordinate that is "
-          "not finite) and list them, instead of failing")
+          "Leave out broken primitives (an index out of range, a coordinate that is not finite, ...) and "
+          "list them, instead of failing")
       ->group(group);
   add("--perturb", perturb, "D",
       "Move each coordinate by a pseudo-random number from [-D, D], in scene units; D is at least the "

@@ -123,6 +123,26 @@ TEST_CASE("a result of a pose records it, and is drawn from it") {
   CHECK(std::filesystem::exists(picture));
 }
 
+TEST_CASE("a broken primitive of a glTF file is left out, listed and loaded without again") {
+  const TempFolder directory;
+  const std::string file = (directory.path() / "broken.glb").string(),
+                    result = (directory.path() / "r.json").string();
+  GltfBuilder builder = one_triangle();
+  builder.root({{"mesh", builder.mesh(99)}});
+  std::ofstream(file, std::ios::binary) << builder.glb();
+  const Words ask = {"point", file, "--eye", "0,0,3", "--dir", "0,0,-1", "--out", result};
+  CHECK(provis_run(ask).status == 2);
+  Words skipping = ask;
+  skipping.push_back("--skip-invalid");
+  const Outcome outcome = provis_run(skipping);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.err, Catch::Contains("left out 1 invalid primitives") && Catch::Contains("meshes[1]"));
+  const ResultFile recorded = read_result(result);
+  REQUIRE(recorded.header.left_out.size() == 1);
+  CHECK(recorded.header.triangles == 1);
+  CHECK(provis_run({"draw", file, result, "--above", (directory.path() / "p.png").string()}).status == 0);
+}
+
 TEST_CASE("what the file does not have is named") {
   const House house;
   const auto refused = [&](const Words& more, const std::string& option) {
