@@ -16,6 +16,10 @@ namespace provis {
 
 namespace {
 
+// Each takes a byte of memory, and a short file can claim any number of hidden ones. The arrays of a scene
+// of so many take 20 GB.
+constexpr std::size_t most_primitives = std::size_t{1} << 29;
+
 Frame frame(const JsonNode& node) {
   return {node.member("right").vec3(), node.member("up").vec3(), node.member("forward").vec3(),
           node.member("window").window()};
@@ -208,6 +212,12 @@ ResultFile read_result(const std::filesystem::path& file) {
   }
   ResultFile result;
   result.header = header(root);
+  const std::size_t primitives = result.header.triangles + result.header.spheres;
+  if (primitives > most_primitives) {
+    throw Error(Error::Code::unsupported, file.string(),
+                fmt::format("a scene of {} primitives; this program reads results of up to {}", primitives,
+                            most_primitives));
+  }
   result.set = visible_set(root, result.header);
   return result;
 }

@@ -79,6 +79,12 @@ TEST_CASE("members that are wrong are named") {
   refused(failure_with("/stats/signs/facing/mpfr", -1), "stats.signs.facing.mpfr");
 }
 
+TEST_CASE("a short file that claims billions of hidden primitives takes no memory for them") {
+  const auto failed = failure_with("/scene/triangles", 2147483652);
+  CHECK(failed.first == Error::Code::unsupported);
+  CHECK_THAT(failed.second, Catch::Contains("primitives; this program reads results of up to 536870912"));
+}
+
 TEST_CASE("another version is unsupported, not invalid") {
   CHECK(failure_with("/version", 2).first == Error::Code::unsupported);
 }
