@@ -45,7 +45,7 @@ struct Grid {
 
 /// Every triangle from its smallest corner on.
 inline std::vector<Triangle> turned(std::vector<Triangle> triangles) {
-  for (Triangle& t : triangles) std::ranges::rotate(t, std::ranges::min_element(t));
+  for (Triangle& t : triangles) std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   return triangles;
 }
 
