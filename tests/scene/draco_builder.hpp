@@ -125,7 +125,7 @@ inline std::vector<Corners> soup(const std::vector<Vec3d>& vertices, const std::
   for (const Triangle& t : triangles) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = {vertices[t[k]].x, vertices[t[k]].y, vertices[t[k]].z};
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     all.push_back(corners);
   }
   std::ranges::sort(all);
