@@ -4,6 +4,7 @@
 
 #include "tests/cli/child.hpp"
 #include "tests/scene/files.hpp"
+#include "tests/support/sanitized.hpp"
 
 using namespace provis;
 using namespace provis::test;
@@ -113,7 +114,7 @@ TEST_CASE("an output that cannot be written ends with 4 and leaves nothing") {
   CHECK(std::distance(std::filesystem::directory_iterator(directory.path()), {}) == 1);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !PROVIS_SANITIZED
 TEST_CASE("too little memory ends with 3 and says what it was for") {
   const TempFolder directory;
   const std::string scene = write_small_scene(directory.path() / "s.ply"),

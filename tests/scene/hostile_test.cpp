@@ -19,18 +19,7 @@
 #include "tests/cli/child.hpp"
 #include "tests/scene/files.hpp"
 #include "tests/support/environment.hpp"
-
-// Sanitizers reserve terabytes of address space, so that it cannot be limited.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define PROVIS_LIMIT_MEMORY false
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define PROVIS_LIMIT_MEMORY false
-#endif
-#endif
-#ifndef PROVIS_LIMIT_MEMORY
-#define PROVIS_LIMIT_MEMORY true
-#endif
+#include "tests/support/sanitized.hpp"
 
 namespace provis::test {
 namespace {
@@ -143,7 +132,7 @@ Loading start(const fs::path& folder, const std::string& name, const Expectation
   const fs::path file = folder / name;
   const std::uint64_t own = (std::uint64_t{1} << 30) + 16 * bytes_behind(file);
   const std::uint64_t memory = expected.memory != 0 ? expected.memory : own;
-  const std::string shell = PROVIS_LIMIT_MEMORY ? "ulimit -v " + std::to_string(memory / 1024) : "";
+  const std::string shell = !PROVIS_SANITIZED ? "ulimit -v " + std::to_string(memory / 1024) : "";
   return {name, Child({"info", "--json", file.string()}, shell), Clock::now() + time_limit};
 }
 
