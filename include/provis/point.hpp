@@ -9,8 +9,30 @@
 
 namespace provis {
 
+/// How the set is found.
+enum class Method {
+  exact,       ///< decides every primitive
+  aggressive,  ///< finds every primitive with a fragment that is completely visible; proves what it finds
+  sampled,     ///< looks along a regular grid of rays and proves nothing; for comparison only
+};
+
+/// Which algorithm answers Method::exact. The sets are the same.
+enum class PointEngine {
+  fast,   ///< the default
+  paper,  ///< Popescu et al.: aggressive set, subdivision of what is visible, classify, sample again
+};
+
+/// The pixels of each frame: what the sampled methods call a fragment. Never changes an exact set.
+struct PixelGrid {
+  int width = 1280, height = 720;
+};
+
 struct PointOptions {
   Arithmetic arithmetic = Arithmetic::chain;
+  Method method = Method::exact;
+  PointEngine engine = PointEngine::fast;
+  PixelGrid pixels;
+  int samples = 1;           ///< Method::sampled: samples^2 rays in each pixel
   bool witnesses = false;    ///< one canonical witness per visible primitive (verify_witnesses checks them)
   bool subdivision = false;  ///< the planar subdivision with exact areas
 };
