@@ -88,4 +88,11 @@ Vec3<N> evaluate(const ViewGeometry& g, const Direction& d) {
 /// Whether the direction is known to lie on the line from indices alone, before any arithmetic.
 bool on_line_by_structure(const Line& line, const Direction& direction);
 
+/// Whether it is known from coordinates that are equal: points on one axis-parallel line, in one plane across
+/// an axis, or in such a plane through the eye. For zeros that the filter has left over.
+bool on_line_by_coordinates(const ViewGeometry& geometry, const Line& line, const Direction& direction);
+
+/// Whether two triangles are known in the same way to lie in one plane.
+bool coplanar_by_coordinates(const Corners& first, const Corners& second);
+
 }  // namespace provis

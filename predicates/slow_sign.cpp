@@ -68,6 +68,11 @@ auto any_component(const Vec3<N>& v) {
 
 template <Arithmetic A>
 Sign Signs<A>::slow_side(const Line& line, const Direction& direction) {
+  if constexpr (A == Arithmetic::chain)
+    if (on_line_by_coordinates(geometry_, line, direction)) {
+      count(predicate(line, direction), Tier::structure);
+      return Sign::zero;
+    }
   return decide<A>(predicate(line, direction), counts_, [&]<class N>() {
     return sign_of(dot(provis::evaluate<N>(geometry_, line), provis::evaluate<N>(geometry_, direction)));
   });
@@ -101,6 +106,11 @@ bool Signs<A>::vanishes(const Line& line) {
     if (line.approx.size > line.approx.radius) {
       count(Predicate::coplanar, Tier::filter);
       return false;
+    }
+  if constexpr (A == Arithmetic::chain)
+    if (line.kind == LineKind::depth && coplanar_by_coordinates(line.first, line.second)) {
+      count(Predicate::coplanar, Tier::structure);
+      return true;
     }
   return decide<A>(Predicate::coplanar, counts_, [&]<class N>() {
            return any_component(provis::evaluate<N>(geometry_, line));

@@ -21,11 +21,9 @@ struct LabelledCell {
 template <Arithmetic A, QueryEffects E>
 class Arrangement {
  public:
-  using FacetType = Facet<typename HotNumber<A>::type>;
-
-  Arrangement(Signs<A>& signs, const Facets<A>& facets, const Tile& tile,
+  Arrangement(Signs<A>& signs, const Facets& facets, PartLines<A>& lines, const Tile& tile,
               const std::vector<std::uint32_t>& members)
-      : signs_(signs), facets_(facets.facets), tile_(tile), leaf_(signs, facets, tile, members) {
+      : signs_(signs), facets_(facets.facets), tile_(tile), leaf_(signs, facets, lines, tile, members) {
     cells_.push_back({make_cell(tile, signs.geometry().handedness), {}, {}});
     for (const std::uint32_t f : members)
       if (facets_[f].occludes) insert(f);
@@ -42,7 +40,7 @@ class Arrangement {
   void label(LabelledCell& cell, std::uint32_t f) const;
 
   Signs<A>& signs_;
-  const std::vector<FacetType>& facets_;
+  const std::vector<Facet>& facets_;
   const Tile& tile_;
   Leaf<A, E> leaf_;
   std::vector<LabelledCell> cells_;

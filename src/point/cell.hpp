@@ -4,7 +4,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include "predicates/signs.hpp"
-#include "src/point/facets.hpp"
+#include "src/point/part_lines.hpp"
 
 namespace provis {
 
@@ -32,7 +32,7 @@ using CellSigns = boost::container::small_vector<Sign, 12>;
 template <Arithmetic A>
 class CellCutter {
  public:
-  CellCutter(Signs<A>& signs, const std::vector<ImagePoint>& points) : signs_(signs), points_(points) {}
+  CellCutter(Signs<A>& signs, ImagePoints<A>& points) : signs_(signs), points_(points) {}
 
   /// The side of each vertex; returns whether any is positive and whether any is negative.
   std::pair<bool, bool> classify(const Cell& cell, Side h, CellSigns& out);
@@ -44,7 +44,7 @@ class CellCutter {
   Direction meet(Side l, Side m);
 
   Signs<A>& signs_;
-  const std::vector<ImagePoint>& points_;
+  ImagePoints<A>& points_;
 };
 
 template <Arithmetic A>
@@ -92,9 +92,10 @@ Direction CellCutter<A>::meet(Side l, Side m) {
   for (const std::uint32_t p : l.line->points) {
     if (p == no_id || (p != m.line->points[0] && p != m.line->points[1])) continue;
     // A vertex of a cell lies in the image, so of the point's ray and its opposite it is the one that does.
-    if (points_[p].side == Sign::zero) break;
-    Direction v = points_[p].direction;
-    if (points_[p].side == Sign::negative) {
+    const ImagePoint& point = points_[p];
+    if (point.side == Sign::zero) break;
+    Direction v = point.direction;
+    if (point.side == Sign::negative) {
       v.negated = true;
       v.approx.v = -v.approx.v;
     }

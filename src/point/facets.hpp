@@ -1,45 +1,38 @@
 #pragma once
-// A scene as seen through one frame: the triangles that can matter, oriented and projected.
+// The triangles that can matter in one part of a window: oriented, and as functions of window coordinates.
 
+#include <span>
 #include <vector>
 
 #include "predicates/signs.hpp"
-#include "provis/context.hpp"
 #include "provis/scene.hpp"
+#include "src/point/window_function.hpp"
 
 namespace provis {
 
-/// An input point in the image.
-struct ImagePoint {
-  Direction direction;
-  Sign side =
-      Sign::positive;  ///< of the image: negative or zero where the point is not in front of the frame
-};
-
 /// A triangle that has hits: the cone in which the three edge lines are positive.
-template <class Hot>
 struct Facet {
   PrimitiveId id = 0;
   bool occludes = true;
   bool cut = false;  ///< reaches behind the window of an eye at infinity: the front line bounds it too
-  Corners corners;
-  std::uint32_t points[3] = {no_id, no_id, no_id};  ///< indices into Facets::points
-  Line edges[3];                                    ///< positive inside
-  Plane<Hot> plane;                                 ///< at_eye > 0
+  Corners corners;   ///< in the order in which at_eye > 0
+  std::uint32_t points[3] = {no_id, no_id, no_id};  ///< indices into Facets::positions
+  Window box;                                       ///< holds all hits; infinite where it is not known
+  WindowFunction inside[3];                         ///< edges: positive inside
+  WindowFunction depth;
 };
 
-template <Arithmetic A>
 struct Facets {
-  using Hot = typename HotNumber<A>::type;
-
-  std::vector<Facet<Hot>> facets;  ///< in id order
-  std::vector<ImagePoint> points;
+  std::vector<Facet> facets;            ///< in id order
+  std::vector<const Vec3d*> positions;  ///< equal positions are one
 };
 
-/// Orients every triangle, and leaves out what can have no hit in the frame: zero area, edge-on, seen from
-/// a side it does not have, behind the window of an eye at infinity, certainly outside the window.
+/// Orients the triangles, and leaves out what can have no hit: zero area, edge-on, seen from a side it does
+/// not have, behind the window of an eye at infinity. Plain doubles claim no error in any function.
+///
+/// Requires:   ids ascending
 template <Arithmetic A>
-Facets<A> make_facets(const Scene& scene, const ViewGeometry& geometry, const Window& window,
-                      const Context& context, SignCounts& counts);
+Facets make_facets(Signs<A>& signs, const Scene& scene, const Window& window,
+                   std::span<const PrimitiveId> ids);
 
 }  // namespace provis

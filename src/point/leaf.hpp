@@ -1,6 +1,6 @@
 #pragma once
-// Deciding, in one small rectangle, which facets are visible there: certified samples first, and exact
-// subtraction of what the samples met.
+// Deciding, in one small rectangle, which facets are visible there: certified samples first, then covers, and
+// exact subtraction for what neither settles.
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,8 @@
 #include "provis/error.hpp"
 #include "src/point/effects.hpp"
 #include "src/point/leaf_lines.hpp"
+#include "src/point/patch.hpp"
+#include "src/point/polygon.hpp"
 #include "src/point/tile.hpp"
 #include "src/point/witness_point.hpp"
 
@@ -25,16 +27,17 @@ struct Sight {
 template <Arithmetic A, QueryEffects E>
 class Leaf {
  public:
-  using FacetType = Facet<typename HotNumber<A>::type>;
-
   /// members: indices of every facet that may have hits in the tile.
-  Leaf(Signs<A>& signs, const Facets<A>& facets, const Tile& tile, const std::vector<std::uint32_t>& members)
+  Leaf(Signs<A>& signs, const Facets& facets, PartLines<A>& part, const Tile& tile,
+       const std::vector<std::uint32_t>& members)
       : signs_(signs),
         facets_(facets.facets),
         tile_(tile),
         members_(members),
-        lines_(signs, facets.facets),
-        cutter_(signs, facets.points) {}
+        lines_(signs, facets, part),
+        part_(part),
+        cutter_(signs, part.points),
+        patch_(facets) {}
 
   /// Whether facet t is visible within the tile.
   Sight look(std::uint32_t t);
@@ -51,9 +54,17 @@ class Leaf {
 
  private:
   enum class Meeting { clear, blocked };
+  using Members = std::vector<std::uint32_t>;
 
-  bool sample_in(const Cell& cell, Direction& sample) const;
-  Meeting meet(std::uint32_t o, std::uint32_t t, const Direction& sample);
+  static constexpr int most_halvings = 3;  ///< of a facet's rectangle, in search of covers
+
+  bool glimpse(std::uint32_t t, Members& waiting, Direction& sample);
+  bool shows(std::uint32_t t, const PolygonCorner& at) const;
+  Meeting meet(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
+  bool covered(std::uint32_t t, const Window& rectangle, int halvings);
+  Sight subtract_all(std::uint32_t t, Members& waiting);
+
+  bool sample_in(const Cell& cell, PolygonCorner& at) const;
   bool misses(std::uint32_t o, std::uint32_t t, const Vec3<ExactNumber>& ray);
   template <class Clear>
   bool clear_of_all(std::uint32_t t, const Clear& clear) const;
@@ -61,12 +72,14 @@ class Leaf {
   bool too_many(std::size_t pieces) const;
 
   Signs<A>& signs_;
-  const std::vector<FacetType>& facets_;
+  const std::vector<Facet>& facets_;
   const Tile& tile_;
   const std::vector<std::uint32_t>& members_;
   LeafLines<A> lines_;
+  PartLines<A>& part_;
   CellCutter<A> cutter_;
   CellSigns scratch_;
+  Patch patch_;
 };
 
 template <Arithmetic A, QueryEffects E>
@@ -90,34 +103,21 @@ Cell Leaf<A, E>::cut(const Cell& cell, const Region& region, std::vector<Cell>& 
 
 /// A ray well inside the cell, certainly so; false where float64 cannot tell.
 template <Arithmetic A, QueryEffects E>
-bool Leaf<A, E>::sample_in(const Cell& cell, Direction& sample) const {
+bool Leaf<A, E>::sample_in(const Cell& cell, PolygonCorner& at) const {
   Vec3d sum;
   for (const Direction& v : cell.vertices) {
     const double size = largest(v.approx.v);
     if (!(size > 0) || !(size < HUGE_VAL)) return false;
     sum = sum + (1 / size) * v.approx.v;
   }
-  const Vec3d at = window_coordinates(signs_.geometry(), sum);
-  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return false;
-  sample = window_direction(signs_, at);
+  const Vec3d middle = window_coordinates(signs_.geometry(), sum);
+  if (!std::isfinite(middle.x) || !std::isfinite(middle.y)) return false;
+  at = {middle.x, middle.y};
+  const Direction sample = window_direction(signs_, middle);
   return std::all_of(cell.lines.begin(), cell.lines.end(), [&](const Side& l) {
     const Sign wanted = l.negated ? Sign::negative : Sign::positive;
     return signs_.quick_side(*l.line, sample) == wanted;
   });
-}
-
-/// Whether o hides t along the sample; what cannot be told cheaply counts as blocked.
-template <Arithmetic A, QueryEffects E>
-typename Leaf<A, E>::Meeting Leaf<A, E>::meet(std::uint32_t o, std::uint32_t t, const Direction& sample) {
-  for (const Line& e : facets_[o].edges)
-    if (signs_.quick_side(e, sample) == Sign::negative) return Meeting::clear;
-  if constexpr (E.front_clip)
-    if (facets_[o].cut && signs_.quick_side(*lines_.front(o).line, sample) == Sign::negative)
-      return Meeting::clear;
-  const Side nearer = lines_.depth(o, t);
-  if (nearer.line == nullptr) return Meeting::clear;
-  const Sign farther = nearer.negated ? Sign::positive : Sign::negative;
-  return signs_.quick_side(*nearer.line, sample) == farther ? Meeting::clear : Meeting::blocked;
 }
 
 template <Arithmetic A, QueryEffects E>
@@ -145,6 +145,126 @@ bool Leaf<A, E>::too_many(std::size_t pieces) const {
 
 template <Arithmetic A, QueryEffects E>
 Sight Leaf<A, E>::look(std::uint32_t t) {
+  Members waiting;
+  for (const std::uint32_t o : members_)
+    if (o != t && (!E.see_through || facets_[o].occludes)) waiting.push_back(o);
+  // The slow policies are there to take signs.
+  if constexpr (A == Arithmetic::chain || A == Arithmetic::doubles) {
+    Sight sight;
+    if (glimpse(t, waiting, sight.sample)) {
+      sight.visible = sight.sampled = true;
+      return sight;
+    }
+    if (covered(t, tile_.window, 0)) return {};
+  }
+  return subtract_all(t, waiting);
+}
+
+/// Whether t is certainly hit strictly inside, beyond the window.
+template <Arithmetic A, QueryEffects E>
+bool Leaf<A, E>::shows(std::uint32_t t, const PolygonCorner& at) const {
+  const Facet& f = facets_[t];
+  if constexpr (E.front_clip)
+    if (f.cut && !(f.depth.at(at.x, at.y) < -f.depth.error)) return false;
+  return std::all_of(std::begin(f.inside), std::end(f.inside),
+                     [&](const WindowFunction& e) { return e.at(at.x, at.y) > e.error; });
+}
+
+template <Arithmetic A, QueryEffects E>
+typename Leaf<A, E>::Meeting Leaf<A, E>::meet(std::uint32_t o, std::uint32_t t, const PolygonCorner& at) {
+  if constexpr (A == Arithmetic::mpfr || A == Arithmetic::exact) {
+    const Side nearer = lines_.depth(o, t);
+    if (nearer.line == nullptr) return Meeting::clear;
+    Region region{nearer};
+    lines_.template append_cone<E.front_clip>(o, region);
+    const Direction sample = window_direction(signs_, {at.x, at.y, 0});
+    const bool misses = std::any_of(region.begin(), region.end(), [&](const Side& s) {
+      return signs_.side(*s.line, sample) == (s.negated ? Sign::positive : Sign::negative);
+    });
+    return misses ? Meeting::clear : Meeting::blocked;
+  }
+  const Facet &f = facets_[o], &g = facets_[t];
+  if (at.x < f.box.x0 || at.x > f.box.x1 || at.y < f.box.y0 || at.y > f.box.y1) return Meeting::clear;
+  for (const WindowFunction& e : f.inside)
+    if (e.at(at.x, at.y) < -e.error) return Meeting::clear;
+  const double depth = f.depth.at(at.x, at.y), before = depth - g.depth.at(at.x, at.y);
+  if constexpr (E.front_clip)
+    if (f.cut && depth > f.depth.error) return Meeting::clear;
+  const double error = (f.depth.error + g.depth.error) * (1 + 0x1p-20);
+  if (before < -error) return Meeting::clear;
+  if (before > error) return Meeting::blocked;
+  return lines_.depth(o, t).line == nullptr ? Meeting::clear : Meeting::blocked;
+}
+
+/// Looks for a ray on which t is certainly seen, where plain polygons leave something of it. Moves the
+/// occluders that it meets to the front.
+template <Arithmetic A, QueryEffects E>
+bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, Direction& sample) {
+  std::vector<Polygon> pieces{Polygon(tile_.window)};
+  for (const WindowFunction& e : facets_[t].inside) pieces[0] = pieces[0].clipped(e, 1);
+  const double least = 1e-9 * pieces[0].area();
+  auto met = waiting.begin();
+  while (!pieces.empty()) {
+    const Polygon& piece = *std::max_element(
+        pieces.begin(), pieces.end(), [](const Polygon& p, const Polygon& q) { return p.area() < q.area(); });
+    if (!(piece.area() > least)) return false;
+    const PolygonCorner at = piece.middle();
+    if (!shows(t, at)) return false;
+    const auto next = std::find_if(waiting.begin(), waiting.end(),
+                                   [&](std::uint32_t o) { return meet(o, t, at) == Meeting::blocked; });
+    if (next == waiting.end()) {
+      sample = window_direction(signs_, {at.x, at.y, 0});
+      return true;
+    }
+    if (met == waiting.begin() && covered(t, tile_.window, most_halvings)) return false;
+    // Polygons that are rounded may leave slivers of what is gone.
+    if (next < met) return false;
+    const std::uint32_t o = *next;
+    std::swap(*next, *met++);
+    const WindowFunction nearer = difference(facets_[o].depth, facets_[t].depth);
+    const WindowFunction* region[4] = {&nearer, &facets_[o].inside[0], &facets_[o].inside[1],
+                                       &facets_[o].inside[2]};
+    std::vector<Polygon> remaining;
+    for (Polygon inside : pieces) {
+      for (const WindowFunction* h : region) {
+        if (const Polygon outside = inside.clipped(*h, -1); outside.area() > least)
+          remaining.push_back(outside);
+        inside = inside.clipped(*h, 1);
+        if (inside.empty()) break;
+      }
+    }
+    pieces = std::move(remaining);
+  }
+  return false;
+}
+
+/// Whether t is certainly hidden within the rectangle: by one patch, or half by half.
+template <Arithmetic A, QueryEffects E>
+bool Leaf<A, E>::covered(std::uint32_t t, const Window& rectangle, int halvings) {
+  const Facet& f = facets_[t];
+  const Window w{std::max(rectangle.x0, f.box.x0), std::min(rectangle.x1, f.box.x1),
+                 std::max(rectangle.y0, f.box.y0), std::min(rectangle.y1, f.box.y1)};
+  if (!(w.x0 <= w.x1 && w.y0 <= w.y1)) return true;
+  for (const WindowFunction& e : f.inside)
+    if (e.highest(w) < 0) return true;
+  patch_.clear();
+  for (const std::uint32_t o : members_)
+    if (o != t && facets_[o].occludes && !(E.front_clip && facets_[o].cut) &&
+        difference(facets_[o].depth, f.depth).lowest(w) > 0)
+      patch_.add(o, w);
+  if (patch_.cover(w) > -HUGE_VAL) return true;
+  if (halvings == most_halvings || patch_.empty()) return false;
+  Window a = w, b = w;
+  if (w.x1 - w.x0 > w.y1 - w.y0)
+    a.x1 = b.x0 = w.x0 / 2 + w.x1 / 2;
+  else
+    a.y1 = b.y0 = w.y0 / 2 + w.y1 / 2;
+  return covered(t, a, halvings + 1) && covered(t, b, halvings + 1);
+}
+
+/// Exactly, whatever the position: keeps the pieces of t's cell in which nothing hides it so far.
+template <Arithmetic A, QueryEffects E>
+Sight Leaf<A, E>::subtract_all(std::uint32_t t, Members& waiting) {
   Region cone;
   lines_.template append_cone<E.front_clip>(t, cone);
   std::vector<Cell> pieces;
@@ -154,10 +274,7 @@ Sight Leaf<A, E>::look(std::uint32_t t) {
     if (seen.empty()) return {};
     pieces.push_back(std::move(seen));
   }
-  std::vector<std::uint32_t> waiting;
-  for (const std::uint32_t o : members_)
-    if (o != t && (!E.see_through || facets_[o].occludes)) waiting.push_back(o);
-
+  std::reverse(waiting.begin(), waiting.end());
   while (!pieces.empty() && !too_many(pieces.size())) {
     Sight sight;
     sight.visible = true;
@@ -167,19 +284,20 @@ Sight Leaf<A, E>::look(std::uint32_t t) {
     }
     // The sample names the occluder to subtract next; where it names none, t is seen. Where there is no
     // certain sample, every occluder will have to go, whatever the order.
-    auto next = waiting.begin();
-    if (sample_in(pieces.back(), sight.sample)) {
-      next = std::find_if(waiting.begin(), waiting.end(),
-                          [&](std::uint32_t o) { return meet(o, t, sight.sample) == Meeting::blocked; });
-      if (next == waiting.end()) {
+    auto next = waiting.end() - 1;
+    if (PolygonCorner at; sample_in(pieces.back(), at)) {
+      const auto blocks = [&](std::uint32_t o) { return meet(o, t, at) == Meeting::blocked; };
+      const auto found = std::find_if(waiting.rbegin(), waiting.rend(), blocks);
+      if (found == waiting.rend()) {
         sight.sampled = true;
+        sight.sample = window_direction(signs_, {at.x, at.y, 0});
         sight.cell = std::move(pieces.back());
         return sight;
       }
+      next = found.base() - 1;
     }
     const std::uint32_t o = *next;
-    *next = waiting.back();
-    waiting.pop_back();
+    waiting.erase(next);
     subtract(o, t, pieces);
   }
   Sight sight;
@@ -209,8 +327,8 @@ bool Leaf<A, E>::clear_of_all(std::uint32_t t, const Clear& clear) const {
 
 template <Arithmetic A, QueryEffects E>
 WitnessPoint Leaf<A, E>::witness(std::uint32_t t, const Sight& sight) {
-  if (sight.sampled &&
-      clear_of_all(t, [&](std::uint32_t o) { return meet(o, t, sight.sample) == Meeting::clear; }))
+  const PolygonCorner at{sight.sample.numbers.x, sight.sample.numbers.y};
+  if (sight.sampled && clear_of_all(t, [&](std::uint32_t o) { return meet(o, t, at) == Meeting::clear; }))
     return {ExactNumber(sight.sample.numbers.x), ExactNumber(sight.sample.numbers.y)};
   // What remains after subtraction may still be touched from behind, along at most four lines for each
   // member, so that among enough points one lies on none.

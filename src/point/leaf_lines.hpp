@@ -1,5 +1,5 @@
 #pragma once
-// The lines of one leaf: edges come with the facets, depth lines are made when first asked for.
+// The lines of one leaf: those of its facets, and those of pairs of facets, made when first asked for.
 
 #include <deque>
 #include <unordered_map>
@@ -14,9 +14,8 @@ using Region = boost::container::small_vector<Side, 5>;
 template <Arithmetic A>
 class LeafLines {
  public:
-  using FacetType = Facet<typename HotNumber<A>::type>;
-
-  LeafLines(Signs<A>& signs, const std::vector<FacetType>& facets) : signs_(signs), facets_(facets) {}
+  LeafLines(Signs<A>& signs, const Facets& facets, PartLines<A>& part)
+      : signs_(signs), facets_(facets.facets), part_(part) {}
 
   /// The line that is positive where facet `near` is strictly nearer than facet `far`; null if both lie in
   /// one plane. Indices are into the frame's facets.
@@ -28,7 +27,7 @@ class LeafLines {
   /// The lines inside which the facet has hits.
   template <bool Cut>
   void append_cone(std::uint32_t facet, Region& region) {
-    for (const Line& e : facets_[facet].edges) region.push_back({&e, false});
+    for (const Line& e : part_.of(facet).edges) region.push_back({&e, false});
     if constexpr (Cut)
       if (facets_[facet].cut) region.push_back(front(facet));
   }
@@ -37,7 +36,8 @@ class LeafLines {
   Line* make_depth(std::uint32_t first, std::uint32_t second);
 
   Signs<A>& signs_;
-  const std::vector<FacetType>& facets_;
+  const std::vector<Facet>& facets_;
+  PartLines<A>& part_;
   std::deque<Line> storage_;
   std::unordered_map<std::uint64_t, const Line*> depth_;
   std::unordered_map<std::uint32_t, const Line*> front_;
@@ -56,7 +56,7 @@ Side LeafLines<A>::depth(std::uint32_t near, std::uint32_t far) {
 
 template <Arithmetic A>
 Line* LeafLines<A>::make_depth(std::uint32_t first, std::uint32_t second) {
-  const FacetType &f = facets_[first], &g = facets_[second];
+  const Facet &f = facets_[first], &g = facets_[second];
   Line& line = storage_.emplace_back();
   line.kind = LineKind::depth;
   line.first = f.corners;
@@ -67,7 +67,7 @@ Line* LeafLines<A>::make_depth(std::uint32_t first, std::uint32_t second) {
   int shared = 0;
   for (const std::uint32_t p : f.points)
     if (shared < 2 && (p == g.points[0] || p == g.points[1] || p == g.points[2])) line.points[shared++] = p;
-  line.approx = approximate(depth_line(signs_.geometry(), f.plane, g.plane));
+  line.approx = approximate(depth_line(signs_.geometry(), part_.of(first).plane, part_.of(second).plane));
   return &line;
 }
 

@@ -48,15 +48,6 @@ Tile make_tile(const Signs<A>& signs, const Window& w) {
   return t;
 }
 
-/// The line that is positive on the image's side of the viewpoint.
-template <Arithmetic A>
-Line make_image_line(const Signs<A>& signs) {
-  Line image;
-  image.kind = LineKind::image;
-  image.approx = signs.shadow(image);
-  return image;
-}
-
 /// The tile as a cell. Around it the border lines follow each other counter-clockwise as seen in the three
 /// ray coordinates, which is clockwise in (x, y) for a frame of negative handedness.
 inline Cell make_cell(const Tile& t, Sign handedness) {

@@ -8,6 +8,7 @@
 #include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <cstddef>
 
 #include "provis/context.hpp"
@@ -36,6 +37,13 @@ template <class Body>
 void parallel_for(std::size_t count, const Body& body) {
   TaskOrder order;
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { order.task([&] { body(i); }); });
+}
+
+/// The same where the bodies differ much in cost: each is handed out on its own, in order.
+template <class Body>
+void parallel_queue(std::size_t count, const Body& body) {
+  std::atomic<std::size_t> next = 0;
+  parallel_for(count, [&](std::size_t) { body(next.fetch_add(1, std::memory_order_relaxed)); });
 }
 
 template <class First, class Second>

@@ -15,6 +15,7 @@ struct Bench {
       : geometry(make_geometry({0, 0, 0}, frame(left_handed), false)),
         signs(geometry, counts),
         tile(make_tile(signs, {-1, 1, -1, 1})),
+        points(signs, positions),
         cutter(signs, points) {}
 
   static Frame frame(bool left_handed) {
@@ -37,7 +38,8 @@ struct Bench {
   SignCounts counts;
   Signs<Arithmetic::chain> signs;
   Tile tile;
-  std::vector<ImagePoint> points;
+  std::vector<const Vec3d*> positions;
+  ImagePoints<Arithmetic::chain> points;
   CellCutter<Arithmetic::chain> cutter;
 };
 

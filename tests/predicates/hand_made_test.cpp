@@ -259,16 +259,33 @@ TEST_CASE("side: on the line") {
   const ViewGeometry g = looking_down(at_infinity);
   CAPTURE(at_infinity);
   const Vec3d point{0.25, 0.5, -1}, left{-1, 0.5, -1}, right{1, 0.5, -1};
+  const Vec3d low{-0.75, 0, -1}, high{1.25, 1, -1};  // a line through the point that follows no axis
   const Line x = border(LineKind::x_border, 0.25), y = border(LineKind::y_border, 0.5);
   const Decided turn_zero{Sign::zero, Predicate::turn, Tier::interval};
 
   SECTION("small numbers are zero by intervals") {
-    CHECK(side(g, edge(left, right), through(point)) == turn_zero);
+    CHECK(side(g, edge(low, high), through(point)) == turn_zero);
     CHECK(side(g, edge(left, right), window(0.25, 0.5)) == turn_zero);
     CHECK(side(g, x, through(point)) == turn_zero);
     CHECK(side(g, y, through(point)) == turn_zero);
     CHECK(side(g, edge(left, right), crossing(x, y)) ==
           Decided{Sign::zero, Predicate::turn_constructed, Tier::interval});
+  }
+  SECTION("equal coordinates say so before intervals do") {
+    const Line along = edge(left, right);
+    CHECK(side(g, along, through(point)) == Decided{Sign::zero, Predicate::turn, Tier::structure});
+    const Vec3d far{7, 0.5, -1}, other{0.25, 2, -1};
+    const Line same = edge(point, far), oblique = edge(low, high), upright = edge(point, other);
+    CHECK(side(g, along, crossing(same, oblique)) ==
+          Decided{Sign::zero, Predicate::turn_constructed, Tier::structure});
+    CHECK(side(g, along, crossing(upright, oblique)).sign == Sign::zero);
+    const Vec3d beside{0.25, 0.5 + ulp, -1};
+    CHECK(side(g, along, through(beside)).sign != Sign::zero);
+    // Walls across two axes meet in a line along the third.
+    const Vec3d a{-2, 0.5, -4}, b{2, 0.5, -4}, c{0, 0.5, -9}, p{1, 0.5, -4};
+    const Wall wall(-4);
+    CHECK(side(g, depth({{&a, &b, &c}}, wall.corners), through(p)) ==
+          Decided{Sign::zero, Predicate::nearer, Tier::structure});
   }
   SECTION("where two walls cross, neither is nearer") {
     const Wall wall(-4), tilted(-4, 0.25);  // they cross at x = 0
@@ -331,7 +348,10 @@ TEST_CASE("vanishes: only for two triangles of one plane") {
     });
   };
   CHECK(vanishes(wall.corners, other.corners) == Decided{Sign::positive, Predicate::coplanar, Tier::filter});
-  CHECK(vanishes(wall.corners, {{&a, &b, &c}}) == Decided{Sign::zero, Predicate::coplanar, Tier::interval});
+  CHECK(vanishes(wall.corners, {{&a, &b, &c}}) == Decided{Sign::zero, Predicate::coplanar, Tier::structure});
+  const Wall tilted(-4, 0.25);
+  const Vec3d d{0, 0, -4}, e{4, 0, -3}, f{0, 4, -4};
+  CHECK(vanishes(tilted.corners, {{&d, &e, &f}}) == Decided{Sign::zero, Predicate::coplanar, Tier::interval});
   const Vec3d bent{2, -2, -4 - 4 * ulp};
   CHECK(vanishes(wall.corners, {{&a, &b, &bent}}).sign == Sign::positive);
 }
