@@ -48,6 +48,30 @@ struct SubdivisionCell {
   std::vector<PrimitiveId> visible;  ///< ascending; empty for background
 };
 
+/// Where the sampled methods looked. A frame's pixels are those of PixelGrid.
+struct SamplingStats {
+  std::uint64_t pixels = 0;     ///< of all frames; 0 where nothing was sampled
+  std::uint64_t locations = 0;  ///< rays, of all pixels
+  std::uint64_t most = 0;       ///< rays of the pixel that has most
+
+  SamplingStats& operator+=(const SamplingStats& other);
+};
+
+/// How PointEngine::paper came to its answer. A primitive counts once for each frame that it may be seen in.
+struct IterationStats {
+  std::uint64_t aggressive = 0;             ///< visible by the aggressive method
+  std::uint64_t undecided = 0;              ///< all others, before the first iteration
+  std::uint64_t visible = 0;                ///< in the end
+  std::uint64_t visible_after_first = 0;    ///< after the first iteration
+  std::uint64_t undecided_after_first = 0;  ///< likewise
+  std::uint64_t iterations = 0;             ///< 0 where another engine answered, or nothing had to be decided
+  std::uint64_t subtracted = 0;             ///< decided exactly one by one where no location could decide
+  double area = 0;                          ///< of all windows, in window units, rounded
+  double area_missed = 0;  ///< where an occluder is seen that the aggressive method did not find, rounded
+
+  IterationStats& operator+=(const IterationStats& other);
+};
+
 /// Costs of a query. The only part of a result that may differ between runs.
 struct QueryStats {
   double seconds = 0;      ///< wall clock, from the scene in memory to the finished set
@@ -58,6 +82,8 @@ struct QueryStats {
   std::uint64_t leaves = 0;        ///< rectangles that were resolved exactly
   std::uint64_t samples = 0;       ///< primitives found visible by one certified sample
   std::uint64_t subtractions = 0;  ///< primitives decided by exact subtraction
+  SamplingStats sampling;
+  IterationStats iteration;
 };
 
 /// Status per primitive, in id order, with its guarantee.

@@ -26,12 +26,12 @@ namespace provis {
 
 namespace {
 
-constexpr std::uint64_t most_threads = 4096;
+constexpr std::uint64_t most_threads = 4096, most_samples = 256;
 
 struct PointCommand {
   SceneOptions source;
   ViewOptions view;
-  std::string method = "exact", arithmetic = "chain", threads = "0";
+  std::string method = "exact", engine = "fast", samples, arithmetic = "chain", threads = "0";
   std::string out, ids;
   bool witness = false, subdivision = false, effects = false, stats = false;
 
@@ -39,6 +39,8 @@ struct PointCommand {
   void run(Run& run) const;
 
  private:
+  PointOptions point_options(const PointView& where) const;
+  void record(const PointOptions& options, std::map<std::string, std::string>& header) const;
   ResultFile query(const Scene& scene, const PointView& where, Run& run) const;
   bool result_on_stdout() const { return out == "-" || ids == "-"; }
   // Talk gives way to a result that is on its way to standard output.
@@ -53,11 +55,39 @@ void PointCommand::say(const std::string& text) const {
   }
 }
 
-ResultFile PointCommand::query(const Scene& scene, const PointView& where, Run& run) const {
+PointOptions PointCommand::point_options(const PointView& where) const {
   PointOptions options;
   options.arithmetic = arithmetic_named(arithmetic).value();
+  options.method = method_named(method).value();
+  options.engine = engine_named(engine).value();
   options.witnesses = witness;
   options.subdivision = subdivision;
+  if (!samples.empty() && options.method != Method::sampled)
+    throw Error(Error::Code::usage, "--samples", "goes with --method sampled only");
+  if (engine != "fast" && options.method != Method::exact)
+    throw Error(Error::Code::usage, "--engine", "goes with --method exact only");
+  if (!samples.empty())
+    options.samples = static_cast<int>(parse_whole("--samples", samples, 1, most_samples));
+  if (where.projection == Projection::omni) options.pixels = {1024, 1024};
+  if (!view.size.empty()) {
+    const auto [width, height] = parse_size("--size", view.size);
+    options.pixels = {width, height};
+  }
+  return options;
+}
+
+/// Only what can change the set, beside the method: the pixels of an exact set cannot.
+void PointCommand::record(const PointOptions& options, std::map<std::string, std::string>& header) const {
+  header["method"] = method;
+  header["arithmetic"] = arithmetic;
+  if (options.engine != PointEngine::fast) header["engine"] = engine;
+  if (options.method == Method::exact) return;
+  header["size"] = fmt::format("{}x{}", options.pixels.width, options.pixels.height);
+  if (options.method == Method::sampled) header["samples"] = fmt::format("{}", options.samples);
+}
+
+ResultFile PointCommand::query(const Scene& scene, const PointView& where, Run& run) const {
+  const PointOptions options = point_options(where);
 
   ResultFile result;
   ResultHeader& header = result.header;
@@ -68,8 +98,7 @@ ResultFile PointCommand::query(const Scene& scene, const PointView& where, Run& 
   header.view = where;
   header.left_out.assign(scene.left_out().begin(), scene.left_out().end());
   header.options = source.recorded();
-  header.options["method"] = method;
-  header.options["arithmetic"] = arithmetic;
+  record(options, header.options);
 
   ProgressLine line;
   Context context = run.context;
@@ -106,15 +135,32 @@ void PointCommand::run(Run& run) const {
   if (result_output) result_output->commit();
   if (ids_output) ids_output->commit();
   if (!result_output && !ids_output) print(summary(result));
-  if (stats) say(sign_table(result.set.stats.signs));
+  if (stats) say(sampling_text(result.set.stats) + sign_table(result.set.stats.signs));
 }
 
 void PointCommand::add_to(CLI::App& command) {
   source.add_to(command);
   view.add_to(command);
   const char* computing = "How to compute";
-  command.add_option("--method", method, "How the set is found: 'exact' decides every primitive [exact]")
-      ->check(CLI::IsMember({"exact"}))
+  command
+      .add_option(
+          "--method", method,
+          "How the set is found: 'exact' decides every primitive; 'aggressive' finds, and proves, every "
+          "one that a pixel of --size shows a whole part of; 'sampled' looks along a regular grid of "
+          "rays and proves what it finds [exact]")
+      ->check(CLI::IsMember({"exact", "aggressive", "sampled"}))
+      ->type_name("")
+      ->group(computing);
+  command
+      .add_option("--samples", samples,
+                  "With --method sampled: N x N rays in each pixel of --size, 1 to 256 [1]")
+      ->type_name("N")
+      ->group(computing);
+  command
+      .add_option("--engine", engine,
+                  "With --method exact: 'fast', or 'paper', the algorithm of Popescu et al., which gives the "
+                  "same set and counts how it came to it [fast]")
+      ->check(CLI::IsMember({"fast", "paper"}))
       ->type_name("")
       ->group(computing);
   command
@@ -153,7 +199,10 @@ void PointCommand::add_to(CLI::App& command) {
                 "Print which effects of the scene the query simulates (culling, see-through surfaces, ...), "
                 "and why")
       ->group(output);
-  command.add_flag("--stats", stats, "Print how many comparisons each tier of the arithmetic decided")
+  command
+      .add_flag(
+          "--stats", stats,
+          "Print how many comparisons each tier of the arithmetic decided, and the counters of the method")
       ->group(output);
   command.footer(
       "Without --out or --ids a summary of about ten lines goes to standard output.\n\n"

@@ -45,9 +45,10 @@ void ViewOptions::add_to(CLI::App& command) {
       "to the direction]");
   add("--fovy", fovy, "DEG", "Vertical field of view in degrees, above 0 and below 180 [60]");
   add("--size", size, "WxH",
-      "Pixels of the picture that the view stands for, 1 to 16384 each: only their ratio, the window's width "
-      "to "
-      "height, has an influence [1280x720]");
+      "Pixels of the picture that the view stands for, 1 to 16384 each: an exact set depends on their ratio "
+      "only, the window's width to height; the other methods look at every pixel [1280x720; 1024x1024 for "
+      "each "
+      "face of an omni view]");
   add("--view", projection, "",
       "'pinhole': an eye and a window; 'omni': an eye that sees all around; 'parallel': an eye at infinity, "
       "the "

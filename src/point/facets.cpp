@@ -2,16 +2,20 @@
 
 #include <algorithm>
 
+#include "src/point/guard.hpp"
 #include "src/point/weld.hpp"
+#include "src/scene/parallel.hpp"
 
 namespace provis {
 namespace {
+
+constexpr std::size_t chunk_size = 4096;
 
 template <Arithmetic A>
 class FacetMaker {
  public:
   FacetMaker(Signs<A>& signs, const Scene& scene, const Window& window)
-      : signs_(signs), scene_(scene), extent_(window), project_(signs.geometry()) {}
+      : signs_(signs), scene_(scene), window_(window), extent_(window), project_(signs.geometry()) {}
 
   /// Whether triangle t can have hits; if so, everything about it but the ids of its corners.
   bool make(std::size_t t, Facet& f);
@@ -23,6 +27,7 @@ class FacetMaker {
 
   Signs<A>& signs_;
   const Scene& scene_;
+  Window window_;
   WindowExtent extent_;
   FrameProjection project_;
 };
@@ -32,7 +37,9 @@ bool FacetMaker<A>::make(std::size_t t, Facet& f) {
   if (!orient(t, f)) return false;
   if (signs_.geometry().at_infinity && !reaches_beyond_window(f)) return false;
   place(f);
-  return true;
+  return overlap(f.box, window_) &&
+         std::none_of(std::begin(f.inside), std::end(f.inside),
+                      [&](const WindowFunction& e) { return e.highest(window_) < 0; });
 }
 
 template <Arithmetic A>
@@ -90,6 +97,13 @@ void FacetMaker<A>::place(Facet& f) const {
   }
 }
 
+void weld_corners(Facets& facets) {
+  Weld weld(facets.facets.size());
+  for (Facet& f : facets.facets)
+    for (int k = 0; k < 3; ++k) f.points[k] = weld.id(f.corners.p[k]);
+  facets.positions = weld.positions();
+}
+
 }  // namespace
 
 template <Arithmetic A>
@@ -100,10 +114,32 @@ Facets make_facets(Signs<A>& signs, const Scene& scene, const Window& window,
   Facet f;
   for (const PrimitiveId t : ids)
     if (maker.make(t, f)) result.facets.push_back(f);
-  Weld weld(result.facets.size());
-  for (Facet& facet : result.facets)
-    for (int k = 0; k < 3; ++k) facet.points[k] = weld.id(facet.corners.p[k]);
-  result.positions = weld.positions();
+  weld_corners(result);
+  return result;
+}
+
+template <Arithmetic A>
+Facets make_facets(const Scene& scene, const ViewGeometry& geometry, const Window& window,
+                   const Context& context, SignCounts& counts) {
+  const std::size_t n = scene.triangles().size(), chunks = (n + chunk_size - 1) / chunk_size;
+  std::vector<std::vector<Facet>> made(chunks);
+  std::vector<SignCounts> chunk_counts(chunks);
+  parallel_for(chunks, [&](std::size_t chunk) {
+    if (context.cancelled()) return;
+    const RoundingGuard<A> guard;
+    Signs<A> signs(geometry, chunk_counts[chunk]);
+    FacetMaker<A> maker(signs, scene, window);
+    Facet f;
+    for (std::size_t t = chunk * chunk_size; t < std::min(n, (chunk + 1) * chunk_size); ++t)
+      if (maker.make(t, f)) made[chunk].push_back(f);
+  });
+  Facets result;
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+    counts += chunk_counts[chunk];
+    result.facets.insert(result.facets.end(), made[chunk].begin(), made[chunk].end());
+    made[chunk] = {};
+  }
+  weld_corners(result);
   return result;
 }
 
@@ -115,5 +151,14 @@ template Facets make_facets(Signs<Arithmetic::mpfr>&, const Scene&, const Window
                             std::span<const PrimitiveId>);
 template Facets make_facets(Signs<Arithmetic::exact>&, const Scene&, const Window&,
                             std::span<const PrimitiveId>);
+
+template Facets make_facets<Arithmetic::doubles>(const Scene&, const ViewGeometry&, const Window&,
+                                                 const Context&, SignCounts&);
+template Facets make_facets<Arithmetic::chain>(const Scene&, const ViewGeometry&, const Window&,
+                                               const Context&, SignCounts&);
+template Facets make_facets<Arithmetic::mpfr>(const Scene&, const ViewGeometry&, const Window&,
+                                              const Context&, SignCounts&);
+template Facets make_facets<Arithmetic::exact>(const Scene&, const ViewGeometry&, const Window&,
+                                               const Context&, SignCounts&);
 
 }  // namespace provis

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "predicates/signs.hpp"
+#include "provis/context.hpp"
 #include "provis/scene.hpp"
 #include "src/point/window_function.hpp"
 
@@ -28,11 +29,17 @@ struct Facets {
 };
 
 /// Orients the triangles, and leaves out what can have no hit: zero area, edge-on, seen from a side it does
-/// not have, behind the window of an eye at infinity. Plain doubles claim no error in any function.
+/// not have, behind the window of an eye at infinity, certainly outside the window. Plain doubles claim no
+/// error in any function.
 ///
 /// Requires:   ids ascending
 template <Arithmetic A>
 Facets make_facets(Signs<A>& signs, const Scene& scene, const Window& window,
                    std::span<const PrimitiveId> ids);
+
+/// All triangles of the scene, in parallel.
+template <Arithmetic A>
+Facets make_facets(const Scene& scene, const ViewGeometry& geometry, const Window& window,
+                   const Context& context, SignCounts& counts);
 
 }  // namespace provis

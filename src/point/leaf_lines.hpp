@@ -17,6 +17,8 @@ class LeafLines {
   LeafLines(Signs<A>& signs, const Facets& facets, PartLines<A>& part)
       : signs_(signs), facets_(facets.facets), part_(part) {}
 
+  const FacetLines<A>& of(std::uint32_t facet) { return part_.of(facet); }
+
   /// The line that is positive where facet `near` is strictly nearer than facet `far`; null if both lie in
   /// one plane. Indices are into the frame's facets.
   Side depth(std::uint32_t near, std::uint32_t far);

@@ -31,6 +31,8 @@ struct Outcome {
     stats.leaves += other.stats.leaves;
     stats.samples += other.stats.samples;
     stats.subtractions += other.stats.subtractions;
+    stats.sampling += other.stats.sampling;
+    stats.iteration += other.stats.iteration;
   }
 };
 

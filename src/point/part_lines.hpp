@@ -2,7 +2,7 @@
 // What the certain signs of one part of the window are asked of, made when first needed: most facets are
 // decided without.
 
-#include <deque>
+#include <unordered_map>
 
 #include "src/point/facets.hpp"
 
@@ -19,29 +19,22 @@ struct ImagePoint {
 template <class Value>
 class MadeOnce {
  public:
-  explicit MadeOnce(std::size_t size) : places_(size, nullptr) {}
-
   template <class Make>
   const Value& get(std::uint32_t index, const Make& make) {
-    const Value*& place = places_[index];
-    if (place == nullptr) {
-      Value& value = values_.emplace_back();
-      make(value);
-      place = &value;
-    }
-    return *place;
+    const auto [place, fresh] = values_.try_emplace(index);
+    if (fresh) make(place->second);
+    return place->second;
   }
 
  private:
-  std::vector<const Value*> places_;
-  std::deque<Value> values_;
+  std::unordered_map<std::uint32_t, Value> values_;
 };
 
 template <Arithmetic A>
 class ImagePoints {
  public:
   ImagePoints(Signs<A>& signs, const std::vector<const Vec3d*>& positions)
-      : signs_(signs), positions_(positions), points_(positions.size()) {
+      : signs_(signs), positions_(positions) {
     image_.kind = LineKind::image;
     image_.approx = signs.shadow(image_);
   }
@@ -75,7 +68,7 @@ template <Arithmetic A>
 class PartLines {
  public:
   PartLines(Signs<A>& signs, const Facets& facets)
-      : points(signs, facets.positions), signs_(signs), facets_(facets.facets), lines_(facets_.size()) {}
+      : points(signs, facets.positions), signs_(signs), facets_(facets.facets) {}
 
   const FacetLines<A>& of(std::uint32_t facet) {
     return lines_.get(facet, [&](FacetLines<A>& lines) { make(facets_[facet], lines); });

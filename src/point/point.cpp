@@ -7,14 +7,19 @@
 #include "predicates/on_triangle.hpp"
 #include "provis/effects.hpp"
 #include "provis/error.hpp"
-#include "src/point/engine.hpp"
+#include "src/point/engine_paper.hpp"
+#include "src/point/engine_sampling.hpp"
 #include "src/scene/parallel.hpp"
 
 namespace provis {
 namespace {
 
-FrameEngine choose_engine(Arithmetic arithmetic, QueryEffects effects) {
-  switch (arithmetic) {
+constexpr int most_pixels = 16384, most_samples = 256;
+
+FrameEngine choose_engine(const PointOptions& options, QueryEffects effects) {
+  if (options.method != Method::exact) return sampling_engine(options.arithmetic);
+  if (options.engine == PointEngine::paper) return paper_engine(options.arithmetic);
+  switch (options.arithmetic) {
     case Arithmetic::doubles:
       return doubles_engine(effects);
     case Arithmetic::chain:
@@ -25,6 +30,27 @@ FrameEngine choose_engine(Arithmetic arithmetic, QueryEffects effects) {
       return exact_engine();
   }
   throw Error(Error::Code::usage, "arithmetic", "unknown policy");
+}
+
+/// What a method claims; plain doubles claim nothing.
+Guarantee guarantee_of(const PointOptions& options) {
+  if (options.arithmetic == Arithmetic::doubles) return Guarantee::sampled;
+  return options.method == Method::exact ? Guarantee::exact : Guarantee::aggressive;
+}
+
+void check(const PointOptions& options) {
+  const auto refuse = [](const char* place, const char* what) {
+    throw Error(Error::Code::usage, place, what);
+  };
+  if ((options.witnesses || options.subdivision) && options.arithmetic == Arithmetic::doubles)
+    refuse("arithmetic", "plain doubles prove no witness and bound no cell");
+  if (options.method == Method::exact && options.engine == PointEngine::fast) return;
+  if (options.subdivision && options.method != Method::exact)
+    refuse("method", "only the exact method makes a subdivision");
+  const auto in = [](int n, int most) { return 1 <= n && n <= most; };
+  if (!in(options.pixels.width, most_pixels) || !in(options.pixels.height, most_pixels))
+    refuse("pixels", "a frame needs 1 to 16384 pixels each way");
+  if (!in(options.samples, most_samples)) refuse("samples", "a pixel needs 1 to 256 samples each way");
 }
 
 bool lies_on_occluder(const Scene& scene, const Vec3d& eye) {
@@ -57,8 +83,9 @@ class Stopwatch {
 VisibleSet run_frames(const Scene& scene, const PointView& view, const PointOptions& options,
                       const Context& context, FrameEngine engine) {
   VisibleSet set;
-  set.guarantee = options.arithmetic == Arithmetic::doubles ? Guarantee::sampled : Guarantee::exact;
-  set.status.assign(scene.primitive_count(), Status::hidden);
+  set.guarantee = guarantee_of(options);
+  set.status.assign(scene.primitive_count(),
+                    options.method == Method::exact ? Status::hidden : Status::undecided);
   std::vector<std::uint8_t> known(scene.primitive_count(), 0);
   std::vector<Witness> witnesses(options.witnesses ? scene.primitive_count() : 0);
   ProgressMeter progress(context, static_cast<double>(view.frames.size()));
@@ -90,16 +117,15 @@ VisibleSet run_frames(const Scene& scene, const PointView& view, const PointOpti
 VisibleSet visible_from_point(const Scene& scene, const PointView& view, const PointOptions& options,
                               const Context& context) {
   check(view);
+  check(options);
   check_environment();
   const EffectsPlan plan = plan_effects(scene, view.projection);
   if (plan.needs_effect(Effect::spheres))
     throw Error(Error::Code::unsupported, "scene",
                 "spheres are not handled by from-point queries: " + std::to_string(scene.spheres().size()) +
                     " of them");
-  if ((options.witnesses || options.subdivision) && options.arithmetic == Arithmetic::doubles)
-    throw Error(Error::Code::usage, "arithmetic", "plain doubles prove no witness and bound no cell");
-  const FrameEngine engine = choose_engine(
-      options.arithmetic, {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});
+  const FrameEngine engine =
+      choose_engine(options, {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});
   const Stopwatch stopwatch;
   VisibleSet set = on_threads(context, [&] { return run_frames(scene, view, options, context, engine); });
   set.eye_on_primitive = view.projection != Projection::parallel && lies_on_occluder(scene, view.eye);

@@ -1,6 +1,28 @@
 #include "provis/visible_set.hpp"
 
+#include <algorithm>
+
 namespace provis {
+
+SamplingStats& SamplingStats::operator+=(const SamplingStats& other) {
+  pixels += other.pixels;
+  locations += other.locations;
+  most = std::max(most, other.most);
+  return *this;
+}
+
+IterationStats& IterationStats::operator+=(const IterationStats& other) {
+  aggressive += other.aggressive;
+  undecided += other.undecided;
+  visible += other.visible;
+  visible_after_first += other.visible_after_first;
+  undecided_after_first += other.undecided_after_first;
+  iterations = std::max(iterations, other.iterations);
+  subtracted += other.subtracted;
+  area += other.area;
+  area_missed += other.area_missed;
+  return *this;
+}
 
 std::string_view name(Status status) {
   switch (status) {

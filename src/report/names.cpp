@@ -32,6 +32,20 @@ std::string_view name(Sides sides) { return sides == Sides::both ? "both" : "mat
 
 std::string_view name(Opacity opacity) { return opacity == Opacity::all ? "all" : "material"; }
 
+std::string_view name(Method method) {
+  switch (method) {
+    case Method::exact:
+      return "exact";
+    case Method::aggressive:
+      return "aggressive";
+    case Method::sampled:
+      return "sampled";
+  }
+  return "unknown";
+}
+
+std::string_view name(PointEngine engine) { return engine == PointEngine::paper ? "paper" : "fast"; }
+
 std::string flags_text(std::uint8_t flags) {
   return std::string((flags & single_sided) != 0 ? "single-sided, " : "two-sided, ") +
          ((flags & see_through) != 0 ? "see-through" : "opaque");
@@ -51,6 +65,14 @@ std::optional<Opacity> opacity_named(std::string_view word) {
 
 std::optional<Arithmetic> arithmetic_named(std::string_view word) {
   return named(word, {Arithmetic::chain, Arithmetic::doubles, Arithmetic::mpfr, Arithmetic::exact});
+}
+
+std::optional<Method> method_named(std::string_view word) {
+  return named(word, {Method::exact, Method::aggressive, Method::sampled});
+}
+
+std::optional<PointEngine> engine_named(std::string_view word) {
+  return named(word, {PointEngine::fast, PointEngine::paper});
 }
 
 std::optional<Guarantee> guarantee_named(std::string_view word) {

@@ -134,6 +134,24 @@ SubdivisionCell cell(const JsonNode& node, const ResultHeader& header) {
   return cell;
 }
 
+SamplingStats sampling(const JsonNode& node) {
+  return {node.member("pixels").natural(), node.member("locations").natural(), node.member("most").natural()};
+}
+
+IterationStats iteration(const JsonNode& node) {
+  IterationStats stats;
+  stats.aggressive = node.member("aggressive").natural();
+  stats.undecided = node.member("undecided").natural();
+  stats.visible = node.member("visible").natural();
+  stats.visible_after_first = node.member("visible_after_first").natural();
+  stats.undecided_after_first = node.member("undecided_after_first").natural();
+  stats.iterations = node.member("iterations").natural();
+  stats.subtracted = node.member("subtracted").natural();
+  stats.area = node.member("area").number();
+  stats.area_missed = node.member("area_missed").number();
+  return stats;
+}
+
 QueryStats stats(const JsonNode& node) {
   QueryStats stats;
   stats.seconds = node.member("seconds").number();
@@ -150,6 +168,8 @@ QueryStats stats(const JsonNode& node) {
           row.member(name(static_cast<Tier>(t))).natural();
     }
   }
+  if (node.has("sampling")) stats.sampling = sampling(node.member("sampling"));
+  if (node.has("iteration")) stats.iteration = iteration(node.member("iteration"));
   return stats;
 }
 

@@ -92,15 +92,34 @@ Json json(const SignCounts& counts) {
   return table;
 }
 
+Json json(const SamplingStats& stats) {
+  return {{"pixels", stats.pixels}, {"locations", stats.locations}, {"most", stats.most}};
+}
+
+Json json(const IterationStats& stats) {
+  return {{"aggressive", stats.aggressive},
+          {"undecided", stats.undecided},
+          {"visible", stats.visible},
+          {"visible_after_first", stats.visible_after_first},
+          {"undecided_after_first", stats.undecided_after_first},
+          {"iterations", stats.iterations},
+          {"subtracted", stats.subtracted},
+          {"area", finite(stats.area)},
+          {"area_missed", finite(stats.area_missed)}};
+}
+
 Json json(const QueryStats& stats) {
-  return {{"seconds", finite(stats.seconds)},
-          {"cpu_seconds", finite(stats.cpu_seconds)},
-          {"threads", stats.threads},
-          {"nodes", stats.nodes},
-          {"leaves", stats.leaves},
-          {"samples", stats.samples},
-          {"subtractions", stats.subtractions},
-          {"signs", json(stats.signs)}};
+  Json all = {{"seconds", finite(stats.seconds)},
+              {"cpu_seconds", finite(stats.cpu_seconds)},
+              {"threads", stats.threads},
+              {"nodes", stats.nodes},
+              {"leaves", stats.leaves},
+              {"samples", stats.samples},
+              {"subtractions", stats.subtractions},
+              {"signs", json(stats.signs)}};
+  if (stats.sampling.pixels > 0) all["sampling"] = json(stats.sampling);
+  if (stats.iteration.area > 0) all["iteration"] = json(stats.iteration);
+  return all;
 }
 
 void write_member(std::ostream& out, const char* key, const Json& value) {

@@ -55,6 +55,24 @@ std::string signs_text(const SignCounts& signs) {
 
 }  // namespace
 
+std::string sampling_text(const QueryStats& stats) {
+  std::string text;
+  auto out = std::back_inserter(text);
+  if (const SamplingStats& s = stats.sampling; s.pixels > 0) {
+    fmt::format_to(out, "sampling   {:.4g} locations per pixel, at most {}\n",
+                   static_cast<double>(s.locations) / static_cast<double>(s.pixels), s.most);
+  }
+  if (const IterationStats& s = stats.iteration; s.area > 0) {
+    fmt::format_to(out, "aggressive {:.4g} % of the set, {:.6g} % of the image\n",
+                   percent(s.aggressive, s.visible), 100 * (1 - s.area_missed / s.area));
+    fmt::format_to(out, "first      {:.4g} % of the set visible, {:.4g} % of the rest decided\n",
+                   percent(s.visible_after_first, s.visible),
+                   percent(s.undecided - s.undecided_after_first, s.undecided));
+    fmt::format_to(out, "iterations {}, {} decided by subtraction\n", s.iterations, s.subtracted);
+  }
+  return text;
+}
+
 std::string summary(const ResultFile& result) {
   const ResultHeader& header = result.header;
   const VisibleSet& set = result.set;
@@ -79,6 +97,7 @@ std::string summary(const ResultFile& result) {
                  set.eye_on_primitive ? ", eye-on-primitive" : "");
   fmt::format_to(out, "time       {:.3f} s on {} thread{} ({:.3f} s of CPU)\n", stats.seconds, stats.threads,
                  stats.threads == 1 ? "" : "s", stats.cpu_seconds);
+  text += sampling_text(stats);
   fmt::format_to(out, "signs      {}\n", signs_text(stats.signs));
   if (!set.witnesses.empty()) fmt::format_to(out, "witnesses  {}\n", set.witnesses.size());
   if (!set.subdivision.empty()) fmt::format_to(out, "cells      {}\n", set.subdivision.size());

@@ -14,6 +14,9 @@ std::string summary(const ResultFile& result);
 /// One row per predicate, one column per tier: how often each decided.
 std::string sign_table(const SignCounts& signs);
 
+/// What the sampled methods and the paper's engine count: a line per figure, none where there is nothing.
+std::string sampling_text(const QueryStats& stats);
+
 /// "perturb 0, seed 0, sides material".
 std::string options_text(const std::map<std::string, std::string>& options);
 

@@ -38,6 +38,8 @@ inline ResultFile example_result() {
   set.stats.leaves = 11;
   set.stats.samples = 12;
   set.stats.subtractions = 13;
+  set.stats.sampling = {4, 10, 6};
+  set.stats.iteration = {30, 70, 40, 36, 7, 3, 2, 8, 0.5};
   set.stats.signs.at(Predicate::turn, Tier::exact) = 123456789012345ULL;
   return result;
 }

@@ -63,6 +63,8 @@ TEST_CASE("a result survives writing and reading") {
   CHECK(back.set.subdivision[0].visible == std::vector<PrimitiveId>{0, 2});
   CHECK(back.set.subdivision[1].area == "1/2");
   CHECK(back.set.stats.signs.at(Predicate::turn, Tier::exact) == 123456789012345ULL);
+  CHECK(back.set.stats.sampling.locations == 10);
+  CHECK(back.set.stats.iteration.visible_after_first == 36);
   CHECK(text_of(back) == text_of(result));
 }
 

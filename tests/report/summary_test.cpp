@@ -15,7 +15,7 @@ TEST_CASE("a summary holds what the result says") {
   result.set.witnesses.clear();
   result.set.subdivision.clear();
   const std::string text = summary(result);
-  CHECK(std::count(text.begin(), text.end(), '\n') == 11);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 15);
   CHECK_THAT(text, Catch::Contains("left out   2 invalid primitives\n"));
   CHECK_THAT(text, Catch::Contains("5 triangles, 1 spheres"));
   CHECK_THAT(text, Catch::Contains(std::string(64, 'a')));
@@ -25,6 +25,15 @@ TEST_CASE("a summary holds what the result says") {
   CHECK_THAT(text, Catch::Contains("bounds, answers R7, eye-on-primitive"));
   CHECK_THAT(text, Catch::Contains("0.125 s on 2 threads"));
   CHECK_THAT(text, Catch::Contains("exact 100 %"));
+}
+
+TEST_CASE("a summary holds the counters of the methods that have some") {
+  const std::string text = summary(example_result());
+  CHECK_THAT(text, Catch::Contains("sampling   2.5 locations per pixel, at most 6\n"));
+  CHECK_THAT(text, Catch::Contains("aggressive 75 % of the set, 93.75 % of the image\n"));
+  CHECK_THAT(text, Catch::Contains("first      90 % of the set visible, 90 % of the rest decided\n"));
+  CHECK_THAT(text, Catch::Contains("iterations 3, 2 decided by subtraction\n"));
+  CHECK(sampling_text({}).empty());
 }
 
 TEST_CASE("nothing is said of what was left out where nothing was") {

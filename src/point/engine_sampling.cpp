@@ -1,0 +1,36 @@
+#include "src/point/engine_sampling.hpp"
+
+#include "src/point/aggressive.hpp"
+#include "src/point/sampled.hpp"
+
+namespace provis {
+namespace {
+
+template <Arithmetic A>
+Outcome sample_frame(const Scene& scene, const FrameQuery& query, const std::vector<std::uint8_t>&) {
+  Outcome outcome;
+  const Facets facets =
+      make_facets<A>(scene, query.geometry, query.window, query.context, outcome.stats.signs);
+  Seen seen(facets.facets.size());
+  outcome.add(query.options.method == Method::sampled ? SampledFrame<A>(query, facets, seen).run()
+                                                      : AggressiveFrame<A>(query, facets, seen).run());
+  return outcome;
+}
+
+}  // namespace
+
+FrameEngine sampling_engine(Arithmetic arithmetic) {
+  switch (arithmetic) {
+    case Arithmetic::doubles:
+      return &sample_frame<Arithmetic::doubles>;
+    case Arithmetic::chain:
+      return &sample_frame<Arithmetic::chain>;
+    case Arithmetic::mpfr:
+      return &sample_frame<Arithmetic::mpfr>;
+    case Arithmetic::exact:
+      return &sample_frame<Arithmetic::exact>;
+  }
+  throw Error(Error::Code::usage, "arithmetic", "unknown policy");
+}
+
+}  // namespace provis
