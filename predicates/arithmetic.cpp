@@ -53,8 +53,10 @@ std::string_view name(Predicate predicate) {
 }
 
 SignCounts& SignCounts::operator+=(const SignCounts& other) {
-  for (std::size_t p = 0; p < decided.size(); ++p)
+  for (std::size_t p = 0; p < decided.size(); ++p) {
     for (std::size_t t = 0; t < decided[p].size(); ++t) decided[p][t] += other.decided[p][t];
+    wrong[p] += other.wrong[p];
+  }
   return *this;
 }
 

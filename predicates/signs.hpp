@@ -22,7 +22,9 @@ struct HotNumber<Arithmetic::doubles> {
 /// Signs under one arithmetic policy, for one view, counted. One object per task; a RoundUp guard must be
 /// alive on the thread (for Arithmetic::doubles a RoundNearest guard).
 ///
-/// Guarantee:  exact for every policy but Arithmetic::doubles, which takes the sign of the rounded value
+/// Guarantee:  exact for every policy but Arithmetic::doubles, which takes the sign of the rounded value;
+///             where the geometry says `checked`, it still does, and counts in SignCounts::wrong how often
+///             that is not the exact sign
 template <Arithmetic A>
 class Signs {
  public:
@@ -58,6 +60,9 @@ class Signs {
   /// Whether a depth line is zero everywhere: both triangles lie in one plane.
   bool vanishes(const Line& depth_line);
 
+  /// ViewGeometry::checked: counts the sign as wrong if the exact one is another.
+  [[gnu::cold]] void check(const Line& line, const Direction& direction, Sign taken);
+
   /// The functional or ray in hot numbers.
   Approx shadow(const Line& line) const { return approximate(evaluate<Hot>(geometry_, line)); }
   ApproxDirection shadow(const Direction& direction) const {
@@ -76,7 +81,10 @@ class Signs {
     const FilteredValue f = provis::evaluate(line.approx, direction.approx);
     if constexpr (A == Arithmetic::doubles) {
       count(predicate(line, direction), Tier::filter);
-      return sign_of(f.value);
+      const Sign s = sign_of(f.value);
+      if (geometry_.checked) [[unlikely]]
+        check(line, direction, s);
+      return s;
     }
     if (f.value > f.bound) {
       count(predicate(line, direction), Tier::filter);
@@ -90,6 +98,8 @@ class Signs {
   }
 
   Sign slow_side(const Line& line, const Direction& direction);
+  template <class Formula>
+  Sign decided(Predicate p, const Formula& formula);
   void count(Predicate p, Tier t) { ++counts_.at(p, t); }
 
   const ViewGeometry& geometry_;

@@ -23,30 +23,41 @@ std::optional<Sign> sign_of(const Ball& b) {
 
 using provis::sign_of;
 
+struct Decision {
+  Sign sign;
+  Tier tier;
+};
+
 /// Evaluates `formula`, a generic callable over the number type, tier after tier.
 template <Arithmetic A, class Formula>
-Sign decide(Predicate p, SignCounts& counts, const Formula& formula) {
-  const auto decided = [&](Sign s, Tier t) {
-    ++counts.at(p, t);
-    return s;
-  };
-  if constexpr (A == Arithmetic::doubles) return decided(formula.template operator()<double>(), Tier::filter);
+Decision decide(const Formula& formula) {
+  if constexpr (A == Arithmetic::doubles) return {formula.template operator()<double>(), Tier::filter};
   if constexpr (A == Arithmetic::chain) {
     if (!rounds_up()) throw Error(Error::Code::internal, "interval tier", "no RoundUp guard on this thread");
-    if (const std::optional<Sign> s = formula.template operator()<Interval>())
-      return decided(*s, Tier::interval);
+    if (const std::optional<Sign> s = formula.template operator()<Interval>()) return {*s, Tier::interval};
     const MpfiPrecision precision(first_mpfr_bits);
-    if (const std::optional<Sign> s = formula.template operator()<MpfiNumber>())
-      return decided(*s, Tier::mpfr);
+    if (const std::optional<Sign> s = formula.template operator()<MpfiNumber>()) return {*s, Tier::mpfr};
   }
   if constexpr (A == Arithmetic::mpfr) {
     for (long bits = first_mpfr_bits;; bits += bits < fine_steps_end ? more_mpfr_bits : bits) {
       const MpfiPrecision precision(bits);
-      if (const std::optional<Sign> s = formula.template operator()<MpfiNumber>())
-        return decided(*s, Tier::mpfr);
+      if (const std::optional<Sign> s = formula.template operator()<MpfiNumber>()) return {*s, Tier::mpfr};
     }
   }
-  return decided(formula.template operator()<ExactNumber>(), Tier::exact);
+  return {formula.template operator()<ExactNumber>(), Tier::exact};
+}
+
+/// Whether plain doubles were mistaken. `taken` is an argument so that it is known before the rounding mode
+/// changes; nothing else of the caller's arithmetic may move in here.
+template <class Formula>
+[[gnu::noinline]] bool mistaken(Sign taken, const Formula& formula) {
+  const RoundUp guard;
+  return decide<Arithmetic::chain>(formula).sign != taken;
+}
+
+/// The sign of the functional's value at the ray. The arguments have to outlive it.
+auto functional_at(const ViewGeometry& g, const Line& line, const Direction& direction) {
+  return [&]<class N>() { return sign_of(dot(evaluate<N>(g, line), evaluate<N>(g, direction))); };
 }
 
 /// Zero if all three components are zero, positive if one certainly is not.
@@ -67,15 +78,29 @@ auto any_component(const Vec3<N>& v) {
 }  // namespace
 
 template <Arithmetic A>
+template <class Formula>
+Sign Signs<A>::decided(Predicate p, const Formula& formula) {
+  const Decision decision = decide<A>(formula);
+  count(p, decision.tier);
+  if constexpr (A == Arithmetic::doubles)
+    if (geometry_.checked && mistaken(decision.sign, formula)) ++counts_.wrong_of(p);
+  return decision.sign;
+}
+
+template <Arithmetic A>
 Sign Signs<A>::slow_side(const Line& line, const Direction& direction) {
   if constexpr (A == Arithmetic::chain)
     if (on_line_by_coordinates(geometry_, line, direction)) {
       count(predicate(line, direction), Tier::structure);
       return Sign::zero;
     }
-  return decide<A>(predicate(line, direction), counts_, [&]<class N>() {
-    return sign_of(dot(provis::evaluate<N>(geometry_, line), provis::evaluate<N>(geometry_, direction)));
-  });
+  return decided(predicate(line, direction), functional_at(geometry_, line, direction));
+}
+
+template <Arithmetic A>
+void Signs<A>::check(const Line& line, const Direction& direction, Sign taken) {
+  if (mistaken(taken, functional_at(geometry_, line, direction)))
+    ++counts_.wrong_of(predicate(line, direction));
 }
 
 template <Arithmetic A>
@@ -85,8 +110,8 @@ Sign Signs<A>::facing(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
       count(Predicate::facing, Tier::filter);
       return *s;
     }
-  return decide<A>(Predicate::facing, counts_,
-                   [&]<class N>() { return sign_of(triangle_plane<N>(geometry_, a, b, c).at_eye); });
+  return decided(Predicate::facing,
+                 [&]<class N>() { return sign_of(triangle_plane<N>(geometry_, a, b, c).at_eye); });
 }
 
 template <Arithmetic A>
@@ -96,8 +121,7 @@ Sign Signs<A>::front(const Vec3d& p) {
       count(Predicate::front, Tier::filter);
       return *s;
     }
-  return decide<A>(Predicate::front, counts_,
-                   [&]<class N>() { return sign_of(beyond_window<N>(geometry_, p)); });
+  return decided(Predicate::front, [&]<class N>() { return sign_of(beyond_window<N>(geometry_, p)); });
 }
 
 template <Arithmetic A>
@@ -112,7 +136,7 @@ bool Signs<A>::vanishes(const Line& line) {
       count(Predicate::coplanar, Tier::structure);
       return true;
     }
-  return decide<A>(Predicate::coplanar, counts_, [&]<class N>() {
+  return decided(Predicate::coplanar, [&]<class N>() {
            return any_component(provis::evaluate<N>(geometry_, line));
          }) == Sign::zero;
 }

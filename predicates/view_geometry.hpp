@@ -24,6 +24,8 @@ struct ViewGeometry {
   std::array<int, 3> axes{0, 1, 2};
   /// Eye at infinity: forward or its opposite, so that its largest coordinate is positive.
   Vec3d shear_direction;
+  /// Arithmetic::doubles: every sign is decided exactly too, and counted where it was taken wrongly.
+  bool checked = false;
 };
 
 /// Throws:     Error::usage if the frame's vectors are linearly dependent (decided exactly)

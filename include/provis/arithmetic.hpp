@@ -38,6 +38,8 @@ std::string_view name(Predicate predicate);
 /// How often each tier decided each predicate.
 struct SignCounts {
   std::array<std::array<std::uint64_t, tier_count>, predicate_count> decided{};
+  /// Signs that plain doubles took wrongly; counted only where they are checked (check_doubles.hpp).
+  std::array<std::uint64_t, predicate_count> wrong{};
 
   std::uint64_t& at(Predicate p, Tier t) {
     return decided[static_cast<std::size_t>(p)][static_cast<std::size_t>(t)];
@@ -45,6 +47,8 @@ struct SignCounts {
   std::uint64_t at(Predicate p, Tier t) const {
     return decided[static_cast<std::size_t>(p)][static_cast<std::size_t>(t)];
   }
+  std::uint64_t& wrong_of(Predicate p) { return wrong[static_cast<std::size_t>(p)]; }
+  std::uint64_t wrong_of(Predicate p) const { return wrong[static_cast<std::size_t>(p)]; }
   SignCounts& operator+=(const SignCounts& other);
 };
 

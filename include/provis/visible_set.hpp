@@ -77,7 +77,9 @@ struct QueryStats {
   double seconds = 0;      ///< wall clock, from the scene in memory to the finished set
   double cpu_seconds = 0;  ///< of all threads
   int threads = 0;
+  std::uint64_t peak_bytes = 0;  ///< resident at most, beyond the scene; 0 where nobody measured it
   SignCounts signs;
+  bool checked = false;            ///< signs.wrong was counted (check_doubles.hpp)
   std::uint64_t nodes = 0;         ///< rectangles of the window that were looked at
   std::uint64_t leaves = 0;        ///< rectangles that were resolved exactly
   std::uint64_t samples = 0;       ///< primitives found visible by one certified sample

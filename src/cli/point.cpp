@@ -8,12 +8,14 @@
 #include <iostream>
 #include <optional>
 
+#include "provis/check_doubles.hpp"
 #include "provis/effects.hpp"
 #include "provis/error.hpp"
 #include "provis/result_file.hpp"
 #include "provis/witness.hpp"
 #include "src/cli/arguments.hpp"
 #include "src/cli/output.hpp"
+#include "src/cli/peak_memory.hpp"
 #include "src/cli/progress.hpp"
 #include "src/cli/run.hpp"
 #include "src/cli/scene_options.hpp"
@@ -33,7 +35,7 @@ struct PointCommand {
   ViewOptions view;
   std::string method = "exact", engine = "fast", samples, arithmetic = "chain", threads = "0";
   std::string out, ids;
-  bool witness = false, subdivision = false, effects = false, stats = false;
+  bool witness = false, subdivision = false, effects = false, stats = false, check = false;
 
   void add_to(CLI::App& command);
   void run(Run& run) const;
@@ -103,7 +105,10 @@ ResultFile PointCommand::query(const Scene& scene, const PointView& where, Run& 
   ProgressLine line;
   Context context = run.context;
   if (line.enabled()) context.on_progress = [&](const Progress& progress) { line.show(progress); };
-  result.set = visible_from_point(scene, where, options, context);
+  const PeakMemory memory;
+  result.set =
+      check ? check_doubles(scene, where, context) : visible_from_point(scene, where, options, context);
+  result.set.stats.peak_bytes = memory.bytes();
   if (witness) {
     run.stage("verifying the witnesses");
     const std::size_t held = verify_witnesses(scene, where, result.set, context);
@@ -116,6 +121,10 @@ void PointCommand::run(Run& run) const {
   source.validate();
   if (out == "-" && ids == "-") {
     throw Error(Error::Code::usage, "--ids", "standard output can take only one of --out and --ids");
+  }
+  if (check && (arithmetic != "doubles" || method != "exact" || witness || subdivision)) {
+    throw Error(Error::Code::usage, "--check",
+                "goes with --arithmetic doubles and without --method, --witness and --subdivision");
   }
   run.context.threads = static_cast<int>(parse_whole("--threads", threads, 0, most_threads));
   const PointView where = view.view(source.file);
@@ -135,7 +144,8 @@ void PointCommand::run(Run& run) const {
   if (result_output) result_output->commit();
   if (ids_output) ids_output->commit();
   if (!result_output && !ids_output) print(summary(result));
-  if (stats) say(sampling_text(result.set.stats) + sign_table(result.set.stats.signs));
+  if (stats)
+    say(sampling_text(result.set.stats) + sign_table(result.set.stats.signs) + memory_text(result.set.stats));
 }
 
 void PointCommand::add_to(CLI::App& command) {
@@ -172,6 +182,12 @@ void PointCommand::add_to(CLI::App& command) {
       ->type_name("")
       ->group(computing);
   command
+      .add_flag(
+          "--check", check,
+          "With --arithmetic doubles: decide each comparison exactly too, and count those that were wrong; "
+          "the answer is that of the doubles")
+      ->group(computing);
+  command
       .add_option("--threads", threads,
                   "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]")
       ->type_name("N")
@@ -200,9 +216,9 @@ void PointCommand::add_to(CLI::App& command) {
                 "and why")
       ->group(output);
   command
-      .add_flag(
-          "--stats", stats,
-          "Print how many comparisons each tier of the arithmetic decided, and the counters of the method")
+      .add_flag("--stats", stats,
+                "Print how many comparisons each tier of the arithmetic decided, the counters of the method, "
+                "and the peak of memory")
       ->group(output);
   command.footer(
       "Without --out or --ids a summary of about ten lines goes to standard output.\n\n"

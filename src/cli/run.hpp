@@ -29,5 +29,6 @@ Action add_info(CLI::App& program);
 Action add_export(CLI::App& program);
 Action add_point(CLI::App& program);
 Action add_draw(CLI::App& program);
+Action add_accuracy(CLI::App& program);
 
 }  // namespace provis

@@ -15,8 +15,6 @@ namespace provis {
 
 namespace {
 
-constexpr const char* group = "The scene";
-
 double parse_positive(const std::string& option, const std::string& text) {
   const double value = parse_number(option, text);
   if (!(value > 0)) {

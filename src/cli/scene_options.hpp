@@ -17,6 +17,8 @@ struct Run;
 
 /// The scene as the command line states it; an empty text is an option that was not given.
 struct SceneOptions {
+  static constexpr const char* group = "The scene";  ///< in --help
+
   std::string file;
   std::string sides = "material";
   std::string opacity = "material";

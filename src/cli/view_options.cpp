@@ -12,8 +12,6 @@ namespace provis {
 
 namespace {
 
-constexpr const char* group = "Where from, where to";
-
 std::optional<Vec3d> optional_vec3(const std::string& option, const std::string& text) {
   if (text.empty()) return std::nullopt;
   return parse_vec3(option, text);

@@ -12,6 +12,8 @@ class App;
 namespace provis {
 
 struct ViewOptions {
+  static constexpr const char* group = "Where from, where to";  ///< in --help
+
   std::string eye, dir, look_at, right, up, forward, window, projection, views, fovy, size;
 
   void add_to(CLI::App& command);

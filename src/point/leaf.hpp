@@ -59,8 +59,10 @@ class Leaf {
   static constexpr int most_halvings = 3;  ///< of a facet's rectangle, in search of covers
 
   bool glimpse(std::uint32_t t, Members& waiting, Direction& sample);
-  bool shows(std::uint32_t t, const PolygonCorner& at) const;
+  bool shows(std::uint32_t t, const PolygonCorner& at);
   Meeting meet(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
+  double edge_value(std::uint32_t t, std::size_t k, const PolygonCorner& at);
+  double nearer_value(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
   bool covered(std::uint32_t t, const Window& rectangle, int halvings);
   Sight subtract_all(std::uint32_t t, Members& waiting);
 
@@ -162,12 +164,36 @@ Sight Leaf<A, E>::look(std::uint32_t t) {
 
 /// Whether t is certainly hit strictly inside, beyond the window.
 template <Arithmetic A, QueryEffects E>
-bool Leaf<A, E>::shows(std::uint32_t t, const PolygonCorner& at) const {
+bool Leaf<A, E>::shows(std::uint32_t t, const PolygonCorner& at) {
   const Facet& f = facets_[t];
   if constexpr (E.front_clip)
     if (f.cut && !(f.depth.at(at.x, at.y) < -f.depth.error)) return false;
-  return std::all_of(std::begin(f.inside), std::end(f.inside),
-                     [&](const WindowFunction& e) { return e.at(at.x, at.y) > e.error; });
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(edge_value(t, k, at) > f.inside[k].error)) return false;
+  return true;
+}
+
+/// The value of an edge's function; plain doubles, when they are checked, answer for its sign.
+template <Arithmetic A, QueryEffects E>
+double Leaf<A, E>::edge_value(std::uint32_t t, std::size_t k, const PolygonCorner& at) {
+  const double value = facets_[t].inside[k].at(at.x, at.y);
+  if constexpr (A == Arithmetic::doubles)
+    if (signs_.geometry().checked) [[unlikely]]
+      signs_.check(part_.of(t).edges[k], window_direction(signs_, {at.x, at.y, 0}), sign_of(value));
+  return value;
+}
+
+/// Likewise how much nearer o is than t.
+template <Arithmetic A, QueryEffects E>
+double Leaf<A, E>::nearer_value(std::uint32_t o, std::uint32_t t, const PolygonCorner& at) {
+  const double value = facets_[o].depth.at(at.x, at.y) - facets_[t].depth.at(at.x, at.y);
+  if constexpr (A == Arithmetic::doubles)
+    if (signs_.geometry().checked) [[unlikely]]
+      if (const Side nearer = lines_.depth(o, t); nearer.line != nullptr) {
+        const Sign s = sign_of(value);
+        signs_.check(*nearer.line, window_direction(signs_, {at.x, at.y, 0}), nearer.negated ? -s : s);
+      }
+  return value;
 }
 
 template <Arithmetic A, QueryEffects E>
@@ -185,11 +211,11 @@ typename Leaf<A, E>::Meeting Leaf<A, E>::meet(std::uint32_t o, std::uint32_t t, 
   }
   const Facet &f = facets_[o], &g = facets_[t];
   if (at.x < f.box.x0 || at.x > f.box.x1 || at.y < f.box.y0 || at.y > f.box.y1) return Meeting::clear;
-  for (const WindowFunction& e : f.inside)
-    if (e.at(at.x, at.y) < -e.error) return Meeting::clear;
-  const double depth = f.depth.at(at.x, at.y), before = depth - g.depth.at(at.x, at.y);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (edge_value(o, k, at) < -f.inside[k].error) return Meeting::clear;
   if constexpr (E.front_clip)
-    if (f.cut && depth > f.depth.error) return Meeting::clear;
+    if (f.cut && f.depth.at(at.x, at.y) > f.depth.error) return Meeting::clear;
+  const double before = nearer_value(o, t, at);
   const double error = (f.depth.error + g.depth.error) * (1 + 0x1p-20);
   if (before < -error) return Meeting::clear;
   if (before > error) return Meeting::blocked;

@@ -161,12 +161,16 @@ QueryStats stats(const JsonNode& node) {
   stats.leaves = node.member("leaves").natural();
   stats.samples = node.member("samples").natural();
   stats.subtractions = node.member("subtractions").natural();
+  if (node.has("peak_bytes")) stats.peak_bytes = node.member("peak_bytes").natural();
   for (int p = 0; p < predicate_count; ++p) {
     const JsonNode row = node.member("signs").member(name(static_cast<Predicate>(p)));
     for (int t = 0; t < tier_count; ++t) {
       stats.signs.at(static_cast<Predicate>(p), static_cast<Tier>(t)) =
           row.member(name(static_cast<Tier>(t))).natural();
     }
+    if (!row.has("wrong")) continue;
+    stats.signs.wrong_of(static_cast<Predicate>(p)) = row.member("wrong").natural();
+    stats.checked = true;
   }
   if (node.has("sampling")) stats.sampling = sampling(node.member("sampling"));
   if (node.has("iteration")) stats.iteration = iteration(node.member("iteration"));

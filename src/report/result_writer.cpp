@@ -9,6 +9,7 @@
 #include "provis/result_file.hpp"
 #include "src/report/json_text.hpp"
 #include "src/report/names.hpp"
+#include "src/report/query_json.hpp"
 #include "src/report/result_keys.hpp"
 #include "src/scene/atomic_file.hpp"
 
@@ -54,7 +55,9 @@ Json json(const SubdivisionCell& cell) {
           {"visible", cell.visible}};
 }
 
-Json scene(const ResultHeader& header) {
+}  // namespace
+
+Json scene_json(const ResultHeader& header) {
   Json scene = {{"file", header.scene_file},
                 {"hash", header.scene_hash},
                 {"triangles", header.triangles},
@@ -63,7 +66,7 @@ Json scene(const ResultHeader& header) {
   return scene;
 }
 
-Json query(const ResultHeader& header) {
+Json query_json(const ResultHeader& header) {
   const PointView& view = header.view;
   if (view.frames.empty()) throw Error(Error::Code::internal, "result file", "a view without frames");
   Json query = {{"kind", "point"}, {"projection", name(view.projection)}, {"eye", json(view.eye)}};
@@ -80,7 +83,9 @@ Json query(const ResultHeader& header) {
   return query;
 }
 
-Json json(const SignCounts& counts) {
+namespace {
+
+Json json(const SignCounts& counts, bool checked) {
   Json table = Json::object();
   for (int p = 0; p < predicate_count; ++p) {
     Json& row = table[std::string(name(static_cast<Predicate>(p)))];
@@ -88,6 +93,7 @@ Json json(const SignCounts& counts) {
       row[std::string(name(static_cast<Tier>(t)))] =
           counts.at(static_cast<Predicate>(p), static_cast<Tier>(t));
     }
+    if (checked) row["wrong"] = counts.wrong_of(static_cast<Predicate>(p));
   }
   return table;
 }
@@ -116,9 +122,10 @@ Json json(const QueryStats& stats) {
               {"leaves", stats.leaves},
               {"samples", stats.samples},
               {"subtractions", stats.subtractions},
-              {"signs", json(stats.signs)}};
+              {"signs", json(stats.signs, stats.checked)}};
   if (stats.sampling.pixels > 0) all["sampling"] = json(stats.sampling);
   if (stats.iteration.area > 0) all["iteration"] = json(stats.iteration);
+  if (stats.peak_bytes > 0) all["peak_bytes"] = stats.peak_bytes;
   return all;
 }
 
@@ -155,8 +162,8 @@ void write_result(const ResultFile& result, std::ostream& out) {
 
   out << "{\"format\": \"" << result_format << "\",\n\"version\": " << result_version;
   write_member(out, "program", {{"name", "provis"}, {"version", PROVIS_VERSION}});
-  write_member(out, "scene", scene(header));
-  write_member(out, "query", query(header));
+  write_member(out, "scene", scene_json(header));
+  write_member(out, "query", query_json(header));
   write_member(out, "answers", set.answers);
   write_member(out, "guarantee", name(set.guarantee));
   write_member(out, "counts",

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <iterator>
 
 #include "src/report/names.hpp"
@@ -17,8 +16,6 @@ std::string options_text(const std::map<std::string, std::string>& options) {
   return line;
 }
 
-namespace {
-
 std::array<std::uint64_t, tier_count> by_tier(const SignCounts& signs) {
   std::array<std::uint64_t, tier_count> sums{};
   for (const auto& row : signs.decided) {
@@ -27,19 +24,13 @@ std::array<std::uint64_t, tier_count> by_tier(const SignCounts& signs) {
   return sums;
 }
 
+namespace {
+
 double percent(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
 std::string text(const Vec3d& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
-
-std::string query_text(const PointView& view) {
-  if (view.projection == Projection::omni) return fmt::format("omni from {}", text(view.eye));
-  const Frame& frame = view.frames.front();
-  const Window& w = frame.window;
-  return fmt::format("{} from {} along {}, window {:.6g},{:.6g},{:.6g},{:.6g}", name(view.projection),
-                     text(view.eye), text(frame.forward), w.x0, w.x1, w.y0, w.y1);
-}
 
 std::string signs_text(const SignCounts& signs) {
   const auto sums = by_tier(signs);
@@ -49,6 +40,20 @@ std::string signs_text(const SignCounts& signs) {
   for (std::size_t t = 0; t < sums.size(); ++t) {
     line += fmt::format("{} {} {:.4g} %", t == 0 ? ":" : ",", name(static_cast<Tier>(t)),
                         percent(sums[t], total));
+  }
+  return line;
+}
+
+std::string wrong_text(const SignCounts& signs) {
+  std::uint64_t total = 0;
+  for (std::uint64_t count : signs.wrong) total += count;
+  std::string line = fmt::format("{} of these signs", total);
+  const char* separator = ": ";
+  for (int p = 0; p < predicate_count; ++p) {
+    const auto predicate = static_cast<Predicate>(p);
+    if (signs.wrong_of(predicate) == 0) continue;
+    line += fmt::format("{}{} {}", separator, name(predicate), signs.wrong_of(predicate));
+    separator = ", ";
   }
   return line;
 }
@@ -71,6 +76,14 @@ std::string sampling_text(const QueryStats& stats) {
     fmt::format_to(out, "iterations {}, {} decided by subtraction\n", s.iterations, s.subtracted);
   }
   return text;
+}
+
+std::string query_text(const PointView& view) {
+  if (view.projection == Projection::omni) return fmt::format("omni from {}", text(view.eye));
+  const Frame& frame = view.frames.front();
+  const Window& w = frame.window;
+  return fmt::format("{} from {} along {}, window {:.6g},{:.6g},{:.6g},{:.6g}", name(view.projection),
+                     text(view.eye), text(frame.forward), w.x0, w.x1, w.y0, w.y1);
 }
 
 std::string summary(const ResultFile& result) {
@@ -99,9 +112,16 @@ std::string summary(const ResultFile& result) {
                  stats.threads == 1 ? "" : "s", stats.cpu_seconds);
   text += sampling_text(stats);
   fmt::format_to(out, "signs      {}\n", signs_text(stats.signs));
+  if (stats.checked) fmt::format_to(out, "wrong      {}\n", wrong_text(stats.signs));
   if (!set.witnesses.empty()) fmt::format_to(out, "witnesses  {}\n", set.witnesses.size());
   if (!set.subdivision.empty()) fmt::format_to(out, "cells      {}\n", set.subdivision.size());
   return text;
+}
+
+std::string memory_text(const QueryStats& stats) {
+  if (stats.peak_bytes == 0) return "";
+  return fmt::format("memory     {:.1f} MiB at the peak, beyond the scene\n",
+                     static_cast<double>(stats.peak_bytes) / (1 << 20));
 }
 
 std::string sign_table(const SignCounts& signs) {

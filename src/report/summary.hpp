@@ -1,6 +1,7 @@
 #pragma once
 // A result as text for people.
 
+#include <array>
 #include <map>
 #include <string>
 
@@ -11,11 +12,20 @@ namespace provis {
 /// About ten lines: the scene, the query, the counts, what is claimed and what it cost.
 std::string summary(const ResultFile& result);
 
+/// "pinhole from 0,1.8,0 along 1,0,0, window ...".
+std::string query_text(const PointView& view);
+
+/// The counts of all predicates, by tier.
+std::array<std::uint64_t, tier_count> by_tier(const SignCounts& signs);
+
 /// One row per predicate, one column per tier: how often each decided.
 std::string sign_table(const SignCounts& signs);
 
 /// What the sampled methods and the paper's engine count: a line per figure, none where there is nothing.
 std::string sampling_text(const QueryStats& stats);
+
+/// "memory  12.3 MiB at the peak, beyond the scene"; nothing where it was not measured.
+std::string memory_text(const QueryStats& stats);
 
 /// "perturb 0, seed 0, sides material".
 std::string options_text(const std::map<std::string, std::string>& options);

@@ -41,6 +41,9 @@ inline ResultFile example_result() {
   set.stats.sampling = {4, 10, 6};
   set.stats.iteration = {30, 70, 40, 36, 7, 3, 2, 8, 0.5};
   set.stats.signs.at(Predicate::turn, Tier::exact) = 123456789012345ULL;
+  set.stats.peak_bytes = 14;
+  set.stats.checked = true;
+  set.stats.signs.wrong_of(Predicate::nearer) = 15;
   return result;
 }
 

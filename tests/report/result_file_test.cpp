@@ -65,6 +65,9 @@ TEST_CASE("a result survives writing and reading") {
   CHECK(back.set.stats.signs.at(Predicate::turn, Tier::exact) == 123456789012345ULL);
   CHECK(back.set.stats.sampling.locations == 10);
   CHECK(back.set.stats.iteration.visible_after_first == 36);
+  CHECK(back.set.stats.peak_bytes == 14);
+  CHECK(back.set.stats.checked);
+  CHECK(back.set.stats.signs.wrong_of(Predicate::nearer) == 15);
   CHECK(text_of(back) == text_of(result));
 }
 

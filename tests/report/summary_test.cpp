@@ -15,7 +15,7 @@ TEST_CASE("a summary holds what the result says") {
   result.set.witnesses.clear();
   result.set.subdivision.clear();
   const std::string text = summary(result);
-  CHECK(std::count(text.begin(), text.end(), '\n') == 15);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 16);
   CHECK_THAT(text, Catch::Contains("left out   2 invalid primitives\n"));
   CHECK_THAT(text, Catch::Contains("5 triangles, 1 spheres"));
   CHECK_THAT(text, Catch::Contains(std::string(64, 'a')));
@@ -25,6 +25,7 @@ TEST_CASE("a summary holds what the result says") {
   CHECK_THAT(text, Catch::Contains("bounds, answers R7, eye-on-primitive"));
   CHECK_THAT(text, Catch::Contains("0.125 s on 2 threads"));
   CHECK_THAT(text, Catch::Contains("exact 100 %"));
+  CHECK_THAT(text, Catch::Contains("wrong      15 of these signs: nearer 15\n"));
 }
 
 TEST_CASE("a summary holds the counters of the methods that have some") {
@@ -46,6 +47,13 @@ TEST_CASE("a query without signs has no shares to divide") {
   ResultFile result = example_result();
   result.set.stats = {};
   CHECK_THAT(summary(result), Catch::Contains("signs      0: structure 0 %"));
+}
+
+TEST_CASE("memory is told where it was measured") {
+  QueryStats stats;
+  CHECK(memory_text(stats).empty());
+  stats.peak_bytes = 3 << 19;
+  CHECK(memory_text(stats) == "memory     1.5 MiB at the peak, beyond the scene\n");
 }
 
 TEST_CASE("the sign table has a row per predicate and sums") {

@@ -1,0 +1,23 @@
+#pragma once
+// How often plain float64 arithmetic is wrong on the way to its answer.
+
+#include "provis/context.hpp"
+#include "provis/scene.hpp"
+#include "provis/view.hpp"
+#include "provis/visible_set.hpp"
+
+namespace provis {
+
+/// What Arithmetic::doubles answers, with every sign on its way decided exactly too.
+///
+/// Input:      scene: F triangles; view: eye and frames in world units
+/// Returns:    status per primitive, size F, and the same stats.signs.decided as without the check; in
+///             stats.signs.wrong, per predicate, how many of these signs were not the exact ones
+/// Guarantee:  none for the set (Guarantee::sampled); the counts are exact
+/// Requires:   check(view) passes
+/// Degenerate: a sign that is zero and was taken as not zero is wrong, and the other way round
+/// Throws:     Error::cancelled, Error::unsupported (spheres)
+/// Cost:       several times that of plain doubles; parallel; same answer for any thread count
+VisibleSet check_doubles(const Scene& scene, const PointView& view, const Context& context = {});
+
+}  // namespace provis

@@ -1,0 +1,165 @@
+// provis accuracy: what accuracy costs, one query answered in every way there is.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <optional>
+
+#include "provis/error.hpp"
+#include "src/cli/accuracy_runs.hpp"
+#include "src/cli/arguments.hpp"
+#include "src/cli/output.hpp"
+#include "src/cli/run.hpp"
+#include "src/cli/scene_options.hpp"
+#include "src/cli/view_options.hpp"
+
+namespace provis {
+
+namespace {
+
+constexpr std::uint64_t most_threads = 4096, most_runs = 1000;
+
+struct AccuracyCommand {
+  SceneOptions source;
+  ViewOptions view;
+  std::string runs = "3", time_limit = "60", memory_limit, threads = "0";
+  std::string json, picture;
+  CLI::App* command = nullptr;
+
+  void add_to(CLI::App& app);
+  void run(Run& run) const;
+
+ private:
+  void validate() const;
+  AccuracyPlan plan() const;
+  std::vector<std::string> query() const;
+};
+
+double parse_seconds(const std::string& option, const std::string& text) {
+  const double seconds = parse_number(option, text);
+  if (seconds > 0) return seconds;
+  throw Error(Error::Code::usage, option, fmt::format("expected seconds above 0, got \"{}\"", text));
+}
+
+/// A whole number with a unit of 1024, 1024^2 or 1024^3 behind it, or none.
+std::uint64_t parse_bytes(const std::string& option, std::string text) {
+  int shift = 0;
+  for (const auto& [unit, bits] : {std::pair{'K', 10}, {'M', 20}, {'G', 30}})
+    if (!text.empty() && text.back() == unit) shift = bits;
+  if (shift > 0) text.pop_back();
+  return parse_whole(option, text, 0, std::numeric_limits<std::uint64_t>::max() >> shift) << shift;
+}
+
+/// So that a run that goes astray does not take the machine with it.
+std::uint64_t half_of_memory() {
+  return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 2;
+}
+
+/// The options of scene and view as they were given: a child asks the same.
+std::vector<std::string> AccuracyCommand::query() const {
+  std::vector<std::string> words = {source.file};
+  for (const CLI::Option* option : command->get_options()) {
+    const bool asks = option->get_group() == SceneOptions::group || option->get_group() == ViewOptions::group;
+    if (!asks || option->count() == 0) continue;
+    if (option->get_type_size() == 0) {
+      words.push_back(option->get_name());
+    } else {
+      words.push_back(option->get_name() + "=" + option->results().back());
+    }
+  }
+  return words;
+}
+
+AccuracyPlan AccuracyCommand::plan() const {
+  AccuracyPlan plan;
+  plan.query = query();
+  plan.runs = static_cast<int>(parse_whole("--runs", runs, 1, most_runs));
+  plan.limits.seconds = parse_seconds("--time-limit", time_limit);
+  plan.limits.bytes = memory_limit.empty() ? half_of_memory() : parse_bytes("--memory-limit", memory_limit);
+  plan.threads = static_cast<int>(parse_whole("--threads", threads, 0, most_threads));
+  return plan;
+}
+
+void AccuracyCommand::validate() const {
+  source.validate();
+  const std::string ending = ".svg";
+  const bool svg = picture == "-" || (picture.size() > ending.size() && picture.ends_with(ending));
+  if (!picture.empty() && !svg) {
+    throw Error(Error::Code::usage, "--picture",
+                fmt::format("writes SVG: expected a name that ends in {}, got \"{}\"", ending, picture));
+  }
+  if (json == "-" && picture == "-")
+    throw Error(Error::Code::usage, "--picture", "standard output can take only one of --json and --picture");
+}
+
+void AccuracyCommand::run(Run& run) const {
+  validate();
+  const AccuracyPlan what = plan();
+  ResultHeader header;
+  header.view = view.view(source.file);
+  std::optional<Output> json_output, picture_output;
+  if (!json.empty()) json_output.emplace(json);
+  if (!picture.empty()) picture_output.emplace(picture);
+
+  const Scene scene = source.load(run);
+  warn_of_left_out(scene, source.file);
+  header.scene_file = source.file;
+  header.scene_hash = scene.hash();
+  header.triangles = scene.triangles().size();
+  header.spheres = scene.spheres().size();
+  header.left_out.assign(scene.left_out().begin(), scene.left_out().end());
+  header.options = source.recorded();
+  const AccuracyReport report = run_accuracy(what, header, scene, run);
+
+  run.stage("writing the report");
+  if (json_output) write_accuracy_json(report, json_output->stream());
+  if (picture_output) write_accuracy_picture(report, picture_output->stream());
+  if (json_output) json_output->commit();
+  if (picture_output) picture_output->commit();
+  if (json != "-" && picture != "-") print(accuracy_text(report));
+}
+
+void AccuracyCommand::add_to(CLI::App& app) {
+  command = &app;
+  source.add_to(app);
+  view.add_to(app);
+  const auto add = [&](const char* option, std::string& value, const char* type, const char* group,
+                       const char* help) {
+    app.add_option(option, value, help)->type_name(type)->group(group);
+  };
+  const char* computing = "How to compute";
+  add("--runs", runs, "N", computing,
+      "How often each way is run, 1 to 1000; the median counts, and least and most are told [3]");
+  add("--time-limit", time_limit, "S", computing,
+      "Seconds that one run may take, loading included; then it is ended and reported as timed out [60]");
+  add("--memory-limit", memory_limit, "N", computing,
+      "Bytes of data that one run may hold, or a number followed by K, M or G; 0 for no limit [half of the "
+      "machine's memory]");
+  add("--threads", threads, "N", computing, "Threads of each run, 0 to 4096; 0 takes every core [0]");
+  const char* output = "Output";
+  add("--json", json, "FILE", output,
+      "Write all of it as JSON; '-' is standard output, instead of the table");
+  add("--picture", picture, "FILE.svg", output,
+      "Draw what is missed over the time that it takes, as SVG; '-' is standard output, instead of the "
+      "table");
+  app.footer(
+      "The ways: doubles, chain, mpfr and exact arithmetic; aggressive sampling; 1, 2x2, 4x4 ... 256x256\n"
+      "samples in each pixel of --size. Each is a process of its own; one that fails ends nothing.\n\n"
+      "Example:\n"
+      "  provis accuracy house.glb --eye 0,1.8,0 --dir 1,0,0 --picture accuracy.svg");
+}
+
+}  // namespace
+
+Action add_accuracy(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("accuracy", "Measure what accuracy costs: one query, answered in every way");
+  const auto options = std::make_shared<AccuracyCommand>();
+  options->add_to(*command);
+  return [options](Run& run) { options->run(run); };
+}
+
+}  // namespace provis

@@ -1,0 +1,247 @@
+// Two diagrams side by side: what share of the set, and of the image, is missed after how much time. What
+// misses nothing has no place on a logarithmic axis, and gets a strip of its own below it.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <ostream>
+
+#include "src/report/accuracy.hpp"
+#include "src/report/svg.hpp"
+
+namespace provis {
+
+namespace {
+
+constexpr const char *ink = "#222222", *grey = "#666666", *grid = "#e4e4e4", *strip_color = "#eaf6ee";
+constexpr double width = 960, top = 84, bottom = 372, strip_gap = 6, strip_row = 19;
+constexpr double panel_width = 370, small = 12;
+
+/// What is drawn alike.
+struct Family {
+  const char* title;
+  const char* color;
+  Marker marker;
+  bool hollow;
+};
+
+constexpr Family sampling = {"uniform samples per pixel", "#0072b2", Marker::circle, false};
+constexpr Family aggressive = {"aggressive", "#e69f00", Marker::diamond, false};
+constexpr Family certain = {"exact, by certain signs", "#00835f", Marker::square, false};
+constexpr Family doubles = {"plain doubles", "#c8361d", Marker::square, true};
+
+const Family& family(const Way& way) {
+  if (way.method == Method::sampled) return sampling;
+  if (way.method == Method::aggressive) return aggressive;
+  return way.certain() ? certain : doubles;
+}
+
+/// Positions of powers of ten, and of what lies between.
+class LogAxis {
+ public:
+  /// Holds all values, each above 0; at least one decade.
+  LogAxis(const std::vector<double>& values, double from, double to) : from_(from), to_(to) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    first_ = values.empty() ? 0 : static_cast<int>(std::floor(std::log10(*least)));
+    last_ = values.empty() ? 1 : std::max(first_ + 1, static_cast<int>(std::ceil(std::log10(*most))));
+  }
+  double at(double value) const {
+    return from_ + (to_ - from_) * (std::log10(value) - first_) / (last_ - first_);
+  }
+  /// Exponents to be labelled: not more than eight.
+  std::vector<int> ticks() const {
+    std::vector<int> exponents;
+    const int step = (last_ - first_) / 8 + 1;
+    for (int e = last_; e >= first_; e -= step) exponents.push_back(e);
+    return exponents;
+  }
+
+ private:
+  int first_ = 0, last_ = 1;
+  double from_, to_;
+};
+
+struct Dot {
+  const WayOutcome* outcome;
+  double missed;
+};
+
+/// The number 10^exponent, written out.
+std::string power_of_ten(int exponent) {
+  return fmt::format("{:.{}f}", std::pow(10, exponent), std::max(0, -exponent));
+}
+
+std::size_t complete(const std::vector<Dot>& dots) {
+  return static_cast<std::size_t>(
+      std::count_if(dots.begin(), dots.end(), [](const Dot& d) { return !(d.missed > 0); }));
+}
+
+std::string label(const WayOutcome& o) {
+  if (o.way.method == Method::sampled) return fmt::format("{}²", o.way.samples);
+  std::string text = name(o.way);
+  if (o.score && o.score->wrong_in > 0) text += fmt::format(", {} wrongly in", o.score->wrong_in);
+  return text;
+}
+
+class Panel {
+ public:
+  /// floor: the lower end of the strip.
+  Panel(Svg& svg, double left, double floor, const char* title, std::vector<Dot> dots)
+      : svg_(svg),
+        left_(left),
+        floor_(floor),
+        title_(title),
+        dots_(std::move(dots)),
+        x_(times(), left, left + panel_width),
+        y_(shares(), bottom, top) {}
+
+  void draw() {
+    draw_axes();
+    draw_curve();
+    for (const Dot& dot : dots_)
+      if (dot.missed > 0) draw_missing(dot);
+    draw_strip();
+  }
+
+ private:
+  std::vector<double> times() const {
+    std::vector<double> values;
+    for (const Dot& dot : dots_) values.push_back(seconds(dot));
+    return values;
+  }
+  std::vector<double> shares() const {
+    std::vector<double> values = {1};
+    for (const Dot& dot : dots_)
+      if (dot.missed > 0) values.push_back(dot.missed);
+    return values;
+  }
+  // A clock that saw nothing saw less than it can see.
+  static double seconds(const Dot& dot) { return std::max(dot.outcome->cpu_seconds.median, 1e-5); }
+  SvgPoint place(const Dot& dot) const { return {x_.at(seconds(dot)), y_.at(dot.missed)}; }
+
+  void draw_axes();
+  void draw_curve();
+  void draw_missing(const Dot& dot);
+  void draw_strip();
+
+  Svg& svg_;
+  double left_, floor_;
+  const char* title_;
+  std::vector<Dot> dots_;
+  LogAxis x_, y_;
+};
+
+void Panel::draw_axes() {
+  const double strip = bottom + strip_gap, middle = (strip + floor_) / 2;
+  svg_.text({left_ + panel_width / 2, top - 12}, title_, Anchor::middle, 14, ink);
+  svg_.rectangle({left_, strip}, panel_width, floor_ - strip, strip_color);
+  for (const int e : x_.ticks()) {
+    const double x = x_.at(std::pow(10, e));
+    svg_.line({x, top}, {x, bottom}, grid, 1);
+    svg_.text({x, floor_ + 18}, power_of_ten(e) + " s", Anchor::middle, small, grey);
+  }
+  for (const int e : y_.ticks()) {
+    const double y = y_.at(std::pow(10, e));
+    svg_.line({left_, y}, {left_ + panel_width, y}, grid, 1);
+    svg_.text({left_ - 8, y + 4}, power_of_ten(e + 2) + " %", Anchor::end, small, grey);
+  }
+  svg_.line({left_, top}, {left_, floor_}, grey, 1);
+  svg_.line({left_, floor_}, {left_ + panel_width, floor_}, grey, 1);
+  svg_.text({left_ - 8, middle - 3}, "nothing", Anchor::end, small, ink);
+  svg_.text({left_ - 8, middle + 12}, "missed", Anchor::end, small, ink);
+  svg_.text({left_ + panel_width / 2, floor_ + 38}, "CPU time", Anchor::middle, 13, ink);
+  svg_.upward_text({left_ - 66, (top + bottom) / 2}, "share missed", 13, ink);
+}
+
+/// The grids of samples, joined as far as they miss anything.
+void Panel::draw_curve() {
+  std::vector<SvgPoint> points;
+  for (const Dot& dot : dots_)
+    if (dot.outcome->way.method == Method::sampled && dot.missed > 0) points.push_back(place(dot));
+  svg_.path(points, sampling.color, 2);
+}
+
+void Panel::draw_missing(const Dot& dot) {
+  const Family& f = family(dot.outcome->way);
+  const SvgPoint at = place(dot);
+  svg_.marker(f.marker, at, f.color, f.hollow);
+  const double room = dot.outcome->way.method == Method::sampled ? 36 : 150;
+  const bool near_end = at.x > left_ + panel_width - room;
+  svg_.text({at.x + (near_end ? -8 : 8), at.y - 6}, label(*dot.outcome),
+            near_end ? Anchor::end : Anchor::start, small, f.color);
+}
+
+/// One row for each, so that no label lies on another; the fastest on top.
+void Panel::draw_strip() {
+  std::vector<Dot> done;
+  for (const Dot& dot : dots_)
+    if (!(dot.missed > 0)) done.push_back(dot);
+  std::stable_sort(done.begin(), done.end(),
+                   [](const Dot& a, const Dot& b) { return seconds(a) < seconds(b); });
+  for (std::size_t k = 0; k < done.size(); ++k) {
+    const Family& f = family(done[k].outcome->way);
+    const SvgPoint at = {x_.at(seconds(done[k])),
+                         bottom + strip_gap + strip_row * (static_cast<double>(k) + 0.7)};
+    svg_.marker(f.marker, at, f.color, f.hollow);
+    const bool near_end = at.x > left_ + panel_width - 160;
+    svg_.text({at.x + (near_end ? -10 : 10), at.y + 4}, label(*done[k].outcome),
+              near_end ? Anchor::end : Anchor::start, small, f.color);
+  }
+}
+
+void draw_legend(Svg& svg) {
+  double x = 90;
+  for (const Family* f : {&sampling, &aggressive, &certain, &doubles}) {
+    svg.marker(f->marker, {x, 46}, f->color, f->hollow);
+    svg.text({x + 12, 50}, f->title, Anchor::start, 13, ink);
+    x += 40 + 6.8 * static_cast<double>(std::string_view(f->title).size());
+  }
+}
+
+/// What has no dot, so that nothing is left out in silence.
+void draw_absent(Svg& svg, const AccuracyReport& report, double y) {
+  std::string line;
+  std::string_view last;
+  for (const WayOutcome& o : report.outcomes) {
+    if (o.ending == Ending::done) continue;
+    if (name(o.ending) != last)
+      line += (line.empty() ? "Not shown: " : "; ") + std::string(name(o.ending)) + ": ";
+    if (name(o.ending) == last) line += ", ";
+    line += o.way.method == Method::sampled ? fmt::format("{}²", o.way.samples) : name(o.way);
+    last = name(o.ending);
+  }
+  svg.text({24, y}, line, Anchor::start, small, grey);
+}
+
+std::string heading(const AccuracyReport& report) {
+  const std::string scene = std::filesystem::path(report.header.scene_file).filename().string();
+  return fmt::format("What accuracy costs: {}, {} triangles", scene, report.header.triangles);
+}
+
+}  // namespace
+
+void write_accuracy_picture(const AccuracyReport& report, std::ostream& out) {
+  std::vector<Dot> set, area;
+  for (const WayOutcome& o : report.outcomes) {
+    if (o.ending != Ending::done || !o.score) continue;
+    set.push_back({&o, o.score->set_missed});
+    area.push_back({&o, o.score->area_missed});
+  }
+  const std::size_t rows = std::max({complete(set), complete(area), std::size_t{4}});
+  const double floor = bottom + strip_gap + strip_row * (static_cast<double>(rows) + 0.4);
+  Svg svg(width, floor + 82);
+  svg.text({24, 26}, heading(report), Anchor::start, 17, ink);
+  draw_legend(svg);
+  Panel(svg, 92, floor, "Visible triangles missed", set).draw();
+  Panel(svg, 92 + panel_width + 104, floor,
+        report.area == AreaMeasure::subdivision ? "Image area missed"
+                                                : "Projected area missed (hidden parts too)",
+        area)
+      .draw();
+  draw_absent(svg, report, floor + 66);
+  out << svg.take();
+}
+
+}  // namespace provis

@@ -1,0 +1,131 @@
+// The report for people: what was asked, what each way cost and gave, the signs behind it, and the price.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+#include "src/report/accuracy.hpp"
+#include "src/report/summary.hpp"
+
+namespace provis {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+constexpr double mebibyte = 1 << 20;
+
+/// Three significant digits, and no exponent for anything a stopwatch can show.
+std::string seconds(double value) {
+  const int decimals = value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3;
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+/// "0" is exactly nothing.
+std::string percent(double share) { return share == 0 ? "0" : fmt::format("{:.3g} %", 100 * share); }
+
+std::string because(const WayOutcome& o) { return o.reason.empty() ? "" : ": " + o.reason; }
+
+void add_heading(Out out, const AccuracyReport& report) {
+  const ResultHeader& header = report.header;
+  fmt::format_to(out, "scene      {} ({} triangles, {} spheres)\n", header.scene_file, header.triangles,
+                 header.spheres);
+  fmt::format_to(out, "hash       {}\n", header.scene_hash);
+  fmt::format_to(out, "query      {}\n", query_text(header.view));
+  fmt::format_to(out, "options    {}\n", options_text(header.options));
+  fmt::format_to(out, "runs       {} of each way on {} threads; at most {:g} s and {}\n", report.runs,
+                 report.threads, report.time_limit,
+                 report.memory_limit == 0
+                     ? std::string("any memory")
+                     : fmt::format("{:.0f} MiB", static_cast<double>(report.memory_limit) / mebibyte));
+  fmt::format_to(
+      out, "exact set  {}\n",
+      report.reference ? "by " + name(*report.reference) : std::string("not known: nothing certain ended"));
+  switch (report.area) {
+    case AreaMeasure::subdivision:
+      fmt::format_to(out, "area       shares of the window, by the exact subdivision\n");
+      break;
+    case AreaMeasure::projection:
+      fmt::format_to(
+          out,
+          "area       not that of the image: the subdivision {}. Instead each visible triangle counts\n"
+          "           with its projected area in the window, hidden parts included\n",
+          report.no_subdivision);
+      break;
+    case AreaMeasure::none:
+      fmt::format_to(out, "area       not measured\n");
+      break;
+  }
+}
+
+void add_costs(Out out, const AccuracyReport& report) {
+  fmt::format_to(out, "\n{:<15}{:>8}{:>17}{:>9}{:>9}{:>10}{:>10}{:>11}{:>12}{:>13}\n", "way", "CPU s",
+                 "least to most", "wall s", "MiB", "visible", "wrong in", "wrong out", "set missed",
+                 "area missed");
+  for (const WayOutcome& o : report.outcomes) {
+    fmt::format_to(out, "{:<15}", name(o.way));
+    if (o.ending != Ending::done) {
+      fmt::format_to(out, "  {}{}\n", name(o.ending), because(o));
+      continue;
+    }
+    fmt::format_to(out, "{:>8}{:>17}{:>9}{:>9.1f}{:>10}", seconds(o.cpu_seconds.median),
+                   seconds(o.cpu_seconds.least) + " to " + seconds(o.cpu_seconds.most),
+                   seconds(o.wall_seconds.median), o.peak_bytes.median / mebibyte, o.visible);
+    if (o.score) {
+      fmt::format_to(out, "{:>10}{:>11}{:>12}{:>13}", o.score->wrong_in, o.score->wrong_out,
+                     percent(o.score->set_missed), percent(o.score->area_missed));
+    } else {
+      fmt::format_to(out, "{:>10}{:>11}{:>12}{:>13}", "?", "?", "?", "?");
+    }
+    fmt::format_to(out, "\n");
+  }
+}
+
+/// Signs that doubles took wrongly; certain ways take none, and of doubles it is known if they were checked.
+std::string wrong_text(const WayOutcome& o) {
+  if (o.way.arithmetic != Arithmetic::doubles) return "0";
+  return o.wrong_signs ? fmt::format("{}", *o.wrong_signs) : "?";
+}
+
+void add_signs(Out out, const AccuracyReport& report) {
+  fmt::format_to(out, "\n{:<15}{:>14}", "signs", "all");
+  for (int t = 0; t < tier_count; ++t) fmt::format_to(out, "{:>13}", name(static_cast<Tier>(t)));
+  fmt::format_to(out, "{:>10}\n", "wrong");
+  for (const WayOutcome& o : report.outcomes) {
+    if (o.ending != Ending::done) continue;
+    const auto sums = by_tier(o.signs);
+    const std::uint64_t all = std::accumulate(sums.begin(), sums.end(), std::uint64_t{0});
+    if (all == 0) continue;
+    fmt::format_to(out, "{:<15}{:>14}", name(o.way), all);
+    for (const std::uint64_t sum : sums) fmt::format_to(out, "{:>13}", sum);
+    fmt::format_to(out, "{:>10}\n", wrong_text(o));
+  }
+  for (const WayOutcome& o : report.outcomes)
+    if (!o.unchecked.empty())
+      fmt::format_to(out, "wrong signs of {} were not counted: {}\n", name(o.way), o.unchecked);
+}
+
+std::string price_text(const AccuracyReport& report) {
+  const std::optional<Price> price = price_of_certainty(report);
+  if (!price) return "not known: the chain or doubles did not end";
+  if (price->wrong_in == 0 && price->wrong_out == 0)
+    return fmt::format("{:.2f} times the CPU time of plain doubles, which gave the same set", price->ratio);
+  return fmt::format("doubles gave another set ({} in, {} out); {:.2f} times its CPU time", price->wrong_in,
+                     price->wrong_out, price->ratio);
+}
+
+}  // namespace
+
+std::string accuracy_text(const AccuracyReport& report) {
+  std::string text;
+  const Out out(text);
+  add_heading(out, report);
+  add_costs(out, report);
+  add_signs(out, report);
+  fmt::format_to(out, "\ncertainty  {}\n", price_text(report));
+  return text;
+}
+
+}  // namespace provis
