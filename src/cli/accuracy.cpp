@@ -98,6 +98,9 @@ void AccuracyCommand::validate() const {
 void AccuracyCommand::run(Run& run) const {
   validate();
   const AccuracyPlan what = plan();
+  const PixelGrid usual;
+  const std::array<int, 2> pixels =
+      view.size.empty() ? std::array{usual.width, usual.height} : parse_size("--size", view.size);
   ResultHeader header;
   header.view = view.view(source.file);
   std::optional<Output> json_output, picture_output;
@@ -112,6 +115,7 @@ void AccuracyCommand::run(Run& run) const {
   header.spheres = scene.spheres().size();
   header.left_out.assign(scene.left_out().begin(), scene.left_out().end());
   header.options = source.recorded();
+  header.options["size"] = fmt::format("{}x{}", pixels[0], pixels[1]);
   const AccuracyReport report = run_accuracy(what, header, scene, run);
 
   run.stage("writing the report");

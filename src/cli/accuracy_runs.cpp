@@ -44,6 +44,8 @@ struct Answer {
   Ending ending = Ending::failed;
   std::string reason;
   VisibleSet set;
+
+  std::string ended() const { return std::string(name(ending)) + (reason.empty() ? "" : ": " + reason); }
 };
 
 /// A way with what its runs have given so far.
@@ -176,7 +178,7 @@ void Runner::check_doubles() {
     outcome.wrong_signs = 0;
     for (const std::uint64_t count : answer.set.stats.signs.wrong) *outcome.wrong_signs += count;
   } else {
-    outcome.unchecked = fmt::format("{} {}", name(answer.ending), answer.reason);
+    outcome.unchecked = answer.ended();
   }
 }
 
@@ -199,7 +201,7 @@ std::vector<ImagePart> Runner::parts(const std::vector<Status>& exact) {
     return parts_of(std::move(answer.set.subdivision));
   }
   report_.area = AreaMeasure::projection;
-  report_.no_subdivision = fmt::format("{} {}", name(answer.ending), answer.reason);
+  report_.no_subdivision = answer.ended();
   return projected_parts(scene_, report_.header.view, exact);
 }
 

@@ -122,9 +122,9 @@ void PointCommand::run(Run& run) const {
   if (out == "-" && ids == "-") {
     throw Error(Error::Code::usage, "--ids", "standard output can take only one of --out and --ids");
   }
-  if (check && (arithmetic != "doubles" || method != "exact" || witness || subdivision)) {
+  if (check && (arithmetic != "doubles" || method != "exact" || engine != "fast" || witness || subdivision)) {
     throw Error(Error::Code::usage, "--check",
-                "goes with --arithmetic doubles and without --method, --witness and --subdivision");
+                "goes with --arithmetic doubles and without --method, --engine, --witness and --subdivision");
   }
   run.context.threads = static_cast<int>(parse_whole("--threads", threads, 0, most_threads));
   const PointView where = view.view(source.file);

@@ -167,9 +167,10 @@ void Panel::draw_missing(const Dot& dot) {
   const Family& f = family(dot.outcome->way);
   const SvgPoint at = place(dot);
   svg_.marker(f.marker, at, f.color, f.hollow);
-  const double room = dot.outcome->way.method == Method::sampled ? 36 : 150;
-  const bool near_end = at.x > left_ + panel_width - room;
-  svg_.text({at.x + (near_end ? -8 : 8), at.y - 6}, label(*dot.outcome),
+  // The labels of the samples lie above their curve, all others below it.
+  const bool sampled = dot.outcome->way.method == Method::sampled;
+  const bool near_end = at.x > left_ + panel_width - (sampled ? 36 : 150);
+  svg_.text({at.x + (near_end ? -8 : 8), at.y + (sampled ? -6 : 17)}, label(*dot.outcome),
             near_end ? Anchor::end : Anchor::start, small, f.color);
 }
 

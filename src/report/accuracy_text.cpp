@@ -83,8 +83,10 @@ void add_costs(Out out, const AccuracyReport& report) {
   }
 }
 
-/// Signs that doubles took wrongly; certain ways take none, and of doubles it is known if they were checked.
+/// Signs that were taken wrongly. Certain ways take none, of doubles it is known if they were checked, and a
+/// grid of samples claims nothing.
 std::string wrong_text(const WayOutcome& o) {
+  if (o.way.method == Method::sampled) return "-";
   if (o.way.arithmetic != Arithmetic::doubles) return "0";
   return o.wrong_signs ? fmt::format("{}", *o.wrong_signs) : "?";
 }

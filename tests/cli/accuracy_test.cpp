@@ -231,6 +231,7 @@ TEST_CASE("the children are asked what accuracy was asked") {
   CHECK(schema_violations(schema(), json) == Words{});
   CHECK(json["query"]["sides"] == "both");
   CHECK(json["query"]["seed"] == "3");
+  CHECK(json["query"]["size"] == "8x8");
   CHECK(json["threads"] == 1);
   // A child that had read another scene would have been found out by its hash.
   CHECK(way(json, "chain")["ending"] == "done");

@@ -32,7 +32,8 @@ WayOutcome outcome(const Way& way, double seconds, SetScore score) {
 AccuracyReport example() {
   AccuracyReport report;
   report.header = example_result().header;
-  report.header.options = {{"sides", "material"}, {"opacity", "all"}, {"perturb", "0"}, {"seed", "0"}};
+  report.header.options = {
+      {"sides", "material"}, {"opacity", "all"}, {"perturb", "0"}, {"seed", "0"}, {"size", "8x8"}};
   report.runs = 3;
   report.time_limit = 60;
   report.threads = 2;
