@@ -57,7 +57,7 @@ Child::Child(const std::string& name) : app_("Part of tools/bench/run: measures 
   app_.add_option("scene", scene_file_, "Scene file")->required();
   app_.add_option("view", view_name_, "FILE:NAME of a view")->required();
   app_.add_option("--runs", runs_, "How often [5]");
-  app_.add_option("--budget", budget_, "Seconds after which no further run begins [300]");
+  app_.add_option("--budget", budget_, "CPU seconds after which no further run begins [300]");
   app_.add_option("--threads", threads_, "Threads [1]");
   app_.add_option("--reference", reference_file_, "Ids of the exact set");
 }
@@ -102,8 +102,8 @@ Context Child::context() const {
 nlohmann::json Child::measured(const std::function<void()>& work) const {
   const std::int64_t before = start_of_memory();
   std::vector<double> cpu, wall;
-  const double began = wall_clock();
-  for (int k = 0; k < runs_ && (k == 0 || wall_clock() - began < budget_); ++k) {
+  const double began = cpu_clock();
+  for (int k = 0; k < runs_ && (k == 0 || cpu_clock() - began < budget_); ++k) {
     const double cpu_before = cpu_clock(), wall_before = wall_clock();
     work();
     cpu.push_back(cpu_clock() - cpu_before);

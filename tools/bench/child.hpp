@@ -34,8 +34,8 @@ class Child {
   int threads() const { return threads_; }
   double budget() const { return budget_; }
 
-  /// Runs the work up to --runs times, as long as less than --budget seconds have passed: seconds of each run
-  /// and the memory that they needed beyond what was there before.
+  /// Runs the work up to --runs times, as long as less than --budget CPU seconds have passed: seconds of each
+  /// run and the memory that they needed beyond what was there before.
   nlohmann::json measured(const std::function<void()>& work) const;
 
   /// How many ids were found, and, where there is a --reference, which part of it, and how many others.

@@ -2,6 +2,8 @@
 import json
 import os
 import pathlib
+import resource
+import signal
 import statistics
 import subprocess
 import tempfile
@@ -14,8 +16,18 @@ class Unavailable(Exception):
     """Why a configuration has no figures."""
 
 
-def ended(status):
-    return f"ended by signal {-status}" if status < 0 else f"exit status {status}"
+def at_most(seconds):
+    """For a process that is started: the system ends it after so many CPU seconds, however busy the machine is."""
+    return lambda: resource.setrlimit(resource.RLIMIT_CPU, (int(seconds), int(seconds) + 5))
+
+
+def ended(status, limit, said=""):
+    """Why a process ended."""
+    if status == -signal.SIGXCPU:
+        return f"over {limit:.0f} s of CPU"
+    if status < 0:
+        return signal.Signals(-status).name
+    return (said.strip().splitlines() or [f"exit status {status}"])[-1]
 
 
 class Bench:
@@ -35,13 +47,9 @@ class Bench:
 
     def call(self, *command, limit=None):
         """What it prints; anything but success is Unavailable."""
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=limit or self.limit)
-        except subprocess.TimeoutExpired:
-            raise Unavailable(f"over {limit or self.limit:.0f} s") from None
+        done = subprocess.run(command, capture_output=True, text=True, preexec_fn=at_most(limit or self.limit))
         if done.returncode:
-            last = done.stderr.strip().splitlines()[-1:] or [ended(done.returncode)]
-            raise Unavailable(last[0])
+            raise Unavailable(ended(done.returncode, limit or self.limit, done.stderr))
         return done.stdout
 
     def scene_file(self, scene, generated):
@@ -110,18 +118,11 @@ class Bench:
         with text.open() as given, tempfile.TemporaryFile("w+") as answer:
             began = time.monotonic()
             process = subprocess.Popen([self.program("envelope_child"), str(said["triangles"])], stdin=given,
-                                       stdout=answer, stderr=subprocess.DEVNULL)
-            pid, status, used = 0, 0, None
-            while pid == 0 and time.monotonic() - began < self.budget:
-                time.sleep(0.02)
-                pid, status, used = os.wait4(process.pid, os.WNOHANG)
-            if pid == 0:
-                process.kill()
-                process.wait()
-                raise Unavailable(f"over {self.budget:.0f} s")
+                                       stdout=answer, stderr=subprocess.DEVNULL, preexec_fn=at_most(self.budget))
+            _, status, used = os.wait4(process.pid, 0)
             process.returncode = os.waitstatus_to_exitcode(status)
             if process.returncode:
-                raise Unavailable(ended(process.returncode))
+                raise Unavailable(ended(process.returncode, self.budget))
             answer.seek(0)
             words = answer.read().split()
         if not words or words[0] != "answered":
