@@ -33,7 +33,7 @@ TEST_CASE("help and version go to standard output") {
     CHECK_THAT(own.out, Catch::Contains("Example"));
   }
   const Outcome point = provis_run({"point", "--help"});
-  for (const char* text : {"[0,1,0;", "[60]", "degrees", "[1280x720]", "scene units", "{material,both}"}) {
+  for (const char* text : {"[0,1,0;", "[60]", "degrees", "[1280x720", "scene units", "{material,both}"}) {
     CHECK_THAT(point.out, Catch::Contains(text));
   }
   for (const char* option : {"--scene", "--time", "--animation", "--radius", "--skip-invalid", "seconds"}) {
