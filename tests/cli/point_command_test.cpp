@@ -94,6 +94,44 @@ TEST_CASE("every certain arithmetic gives the same set, and doubles claim nothin
   CHECK(Json::parse(query.run({"--arithmetic", "doubles", "--out", "-"}).out)["guarantee"] == "sampled");
 }
 
+TEST_CASE("the methods that look along rays say what they claim, where they looked, and with what") {
+  const Query query;
+  const Json aggressive =
+      Json::parse(query.run({"--method", "aggressive", "--size", "8x6", "--out", "-"}).out);
+  CHECK(aggressive["guarantee"] == "aggressive");
+  CHECK(aggressive["visible"] == Json({0, 2}));
+  CHECK(aggressive["counts"]["hidden"] == 0);
+  CHECK(aggressive["query"]["size"] == "8x6");
+  CHECK(aggressive["stats"]["sampling"]["pixels"] == 48);
+  const Json sampled = Json::parse(
+      query.run({"--method", "sampled", "--samples", "3", "--size", "8x6", "--witness", "--out", "-"}).out);
+  CHECK(sampled["guarantee"] == "aggressive");
+  CHECK(sampled["query"]["samples"] == "3");
+  CHECK(sampled["stats"]["sampling"]["locations"] == 432);
+  CHECK(sampled["witnesses"].size() == sampled["counts"]["visible"]);
+}
+
+TEST_CASE("the paper's engine gives the same set, says that it was asked, and counts") {
+  const Query query;
+  const Json json = Json::parse(query.run({"--engine", "paper", "--out", "-"}).out);
+  CHECK(json["guarantee"] == "exact");
+  CHECK(json["visible"] == Json({0, 2}));
+  CHECK(json["query"]["engine"] == "paper");
+  CHECK(json["stats"]["iteration"]["visible"] == 2);
+  CHECK_THAT(query.run({"--engine", "paper"}).out, Catch::Contains("aggressive 100 % of the set"));
+  CHECK_THAT(query.run({"--engine", "paper", "--stats", "--ids", "-"}).err, Catch::Contains("sampling   "));
+}
+
+TEST_CASE("options that do not go together are refused by name") {
+  const Query query;
+  for (const Words& words : {Words{"--samples", "2"}, Words{"--method", "sampled", "--samples", "257"},
+                             Words{"--method", "aggressive", "--engine", "paper"},
+                             Words{"--method", "aggressive", "--subdivision"}}) {
+    INFO(words.back());
+    CHECK(query.run(words).status == 1);
+  }
+}
+
 TEST_CASE("a frame given verbatim is recorded verbatim") {
   const Query query;
   const Outcome outcome =
