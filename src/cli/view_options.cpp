@@ -44,9 +44,8 @@ void ViewOptions::add_to(CLI::App& command) {
   add("--fovy", fovy, "DEG", "Vertical field of view in degrees, above 0 and below 180 [60]");
   add("--size", size, "WxH",
       "Pixels of the picture that the view stands for, 1 to 16384 each: an exact set depends on their ratio "
-      "only, the window's width to height; the other methods look at every pixel [1280x720; 1024x1024 for "
-      "each "
-      "face of an omni view]");
+      "only, the window's width to height; the other methods look at every pixel (of an omni view: 1024x1024 "
+      "for each face, unless it is given) [1280x720]");
   add("--view", projection, "",
       "'pinhole': an eye and a window; 'omni': an eye that sees all around; 'parallel': an eye at infinity, "
       "the "

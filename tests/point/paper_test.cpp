@@ -77,6 +77,16 @@ TEST_CASE("soups of some hundred triangles agree too") {
   }
 }
 
+TEST_CASE("soups in which much is see-through agree too") {
+  for (const std::uint64_t seed : seeds(10)) {
+    Case c = random_soup(seed, 40);
+    for (std::size_t t = 0; t < c.arrays.triangle_flags.size(); ++t)
+      if (t % 5 < 2) c.arrays.triangle_flags[t] |= see_through;
+    INFO("soup " << seed);
+    REQUIRE(ids_of(visible_flags(ask(c, paper({1, 1})))) == ids_of(oracle_visible(c.arrays, c.view)));
+  }
+}
+
 TEST_CASE("the paper's engine gives the expected set of every hard case") {
   for (const HardCase& c : load_hard_cases(PROVIS_SOURCE_DIR "/data/hard")) {
     INFO(c.because << "\n" << describe(c.input));
