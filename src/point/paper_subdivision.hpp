@@ -24,6 +24,7 @@ class PaperSubdivision {
       : signs_(signs),
         facets_(facets.facets),
         map_(map),
+        window_(tile.window),
         lines_(signs, facets, part),
         cutter_(signs, part.points) {
     keep(make_cell(tile, signs.geometry().handedness), no_id, false);
@@ -51,6 +52,7 @@ class PaperSubdivision {
   Signs<A>& signs_;
   const std::vector<Facet>& facets_;
   const WindowMap& map_;
+  const Window window_;
   LeafLines<A> lines_;
   CellCutter<A> cutter_;
   CellSigns scratch_;
@@ -145,15 +147,18 @@ double PaperSubdivision<A>::area_missed() const {
   for (const SubdivisionPart& part : parts_) {
     if (!part.missed) continue;
     double twice = 0;
+    // A corner that float64 cannot tell is put back into the rectangle, where all of them are.
     const auto corner = [&](std::size_t k) {
-      return window_coordinates(signs_.geometry(), part.cell.vertices[k].approx.v);
+      const Vec3d at = window_coordinates(signs_.geometry(), part.cell.vertices[k].approx.v);
+      return Vec3d{std::fmin(std::fmax(at.x, window_.x0), window_.x1),
+                   std::fmin(std::fmax(at.y, window_.y0), window_.y1), 0};
     };
     const Vec3d a = corner(0);
     for (std::size_t k = 2; k < part.cell.vertices.size(); ++k)
       twice += cross(corner(k - 1) - a, corner(k) - a).z;
     sum += std::fabs(twice) / 2;
   }
-  return sum;
+  return std::fmin(sum, (window_.x1 - window_.x0) * (window_.y1 - window_.y0));
 }
 
 }  // namespace provis
