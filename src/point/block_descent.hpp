@@ -57,7 +57,8 @@ Outcome BlockDescent<Work>::descend(const Part& part, List list, DescentState at
     query_.progress.add(std::ldexp(work_.share(), -at.depth));
     return outcome;
   }
-  const auto [a, b] = work_.halves(part, at.depth);
+  const std::pair<Part, Part> halves = work_.halves(part, at.depth);
+  const Part &a = halves.first, &b = halves.second;
   List in_a, in_b;
   const bool parallel = at.depth < task_depth;
   both(
