@@ -68,8 +68,9 @@ struct Dot {
   double missed;
 };
 
-/// The number 10^exponent, written out.
+/// The number 10^exponent, written out where that is short.
 std::string power_of_ten(int exponent) {
+  if (exponent < -3) return fmt::format("1e{}", exponent);
   return fmt::format("{:.{}f}", std::pow(10, exponent), std::max(0, -exponent));
 }
 
