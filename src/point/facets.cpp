@@ -76,12 +76,11 @@ void FacetMaker<A>::place(Facet& f) const {
     p[k] = project_(*f.corners.p[k]);
     const WindowPlace at = window_place(p[k]);
     // An infinite error makes the box infinite.
-    const double error = A == Arithmetic::doubles && at.error < HUGE_VAL ? 0 : at.error;
-    const double x = error < HUGE_VAL ? at.x : 0, y = error < HUGE_VAL ? at.y : 0;
-    f.box.x0 = std::min(f.box.x0, x - error);
-    f.box.x1 = std::max(f.box.x1, x + error);
-    f.box.y0 = std::min(f.box.y0, y - error);
-    f.box.y1 = std::max(f.box.y1, y + error);
+    const double x = at.error < HUGE_VAL ? at.x : 0, y = at.error < HUGE_VAL ? at.y : 0;
+    f.box.x0 = std::min(f.box.x0, x - at.error);
+    f.box.x1 = std::max(f.box.x1, x + at.error);
+    f.box.y0 = std::min(f.box.y0, y - at.error);
+    f.box.y1 = std::max(f.box.y1, y + at.error);
   }
   // Corners with at_eye > 0 run anticlockwise in the window of a frame of positive handedness.
   const bool anticlockwise = g.handedness == Sign::positive;
@@ -91,10 +90,6 @@ void FacetMaker<A>::place(Facet& f) const {
   }
   f.depth =
       depth_function(g, triangle_plane<Ball>(g, *f.corners.p[0], *f.corners.p[1], *f.corners.p[2]), extent_);
-  if constexpr (A == Arithmetic::doubles) {
-    for (WindowFunction& e : f.inside) e.error = 0;
-    f.depth.error = 0;
-  }
 }
 
 void weld_corners(Facets& facets) {

@@ -61,6 +61,8 @@ class Leaf {
   bool glimpse(std::uint32_t t, Members& waiting, Direction& sample);
   bool shows(std::uint32_t t, const PolygonCorner& at);
   Meeting meet(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
+  /// Plain doubles take the value on a ray at its word; bounds of rectangles are certain under every policy.
+  static double claimed(double error) { return A == Arithmetic::doubles ? 0 : error; }
   double edge_value(std::uint32_t t, std::size_t k, const PolygonCorner& at);
   double nearer_value(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
   bool covered(std::uint32_t t, const Window& rectangle, int halvings);
@@ -167,9 +169,9 @@ template <Arithmetic A, QueryEffects E>
 bool Leaf<A, E>::shows(std::uint32_t t, const PolygonCorner& at) {
   const Facet& f = facets_[t];
   if constexpr (E.front_clip)
-    if (f.cut && !(f.depth.at(at.x, at.y) < -f.depth.error)) return false;
+    if (f.cut && !(f.depth.at(at.x, at.y) < -claimed(f.depth.error))) return false;
   for (std::size_t k = 0; k < 3; ++k)
-    if (!(edge_value(t, k, at) > f.inside[k].error)) return false;
+    if (!(edge_value(t, k, at) > claimed(f.inside[k].error))) return false;
   return true;
 }
 
@@ -212,11 +214,11 @@ typename Leaf<A, E>::Meeting Leaf<A, E>::meet(std::uint32_t o, std::uint32_t t, 
   const Facet &f = facets_[o], &g = facets_[t];
   if (at.x < f.box.x0 || at.x > f.box.x1 || at.y < f.box.y0 || at.y > f.box.y1) return Meeting::clear;
   for (std::size_t k = 0; k < 3; ++k)
-    if (edge_value(o, k, at) < -f.inside[k].error) return Meeting::clear;
+    if (edge_value(o, k, at) < -claimed(f.inside[k].error)) return Meeting::clear;
   if constexpr (E.front_clip)
-    if (f.cut && f.depth.at(at.x, at.y) > f.depth.error) return Meeting::clear;
+    if (f.cut && f.depth.at(at.x, at.y) > claimed(f.depth.error)) return Meeting::clear;
   const double before = nearer_value(o, t, at);
-  const double error = (f.depth.error + g.depth.error) * (1 + 0x1p-20);
+  const double error = claimed((f.depth.error + g.depth.error) * (1 + 0x1p-20));
   if (before < -error) return Meeting::clear;
   if (before > error) return Meeting::blocked;
   return lines_.depth(o, t).line == nullptr ? Meeting::clear : Meeting::blocked;
