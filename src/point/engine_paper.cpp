@@ -42,17 +42,7 @@ Outcome paper_frame(const Scene& scene, const FrameQuery& query, const std::vect
 }  // namespace
 
 FrameEngine paper_engine(Arithmetic arithmetic) {
-  switch (arithmetic) {
-    case Arithmetic::doubles:
-      return &paper_frame<Arithmetic::doubles>;
-    case Arithmetic::chain:
-      return &paper_frame<Arithmetic::chain>;
-    case Arithmetic::mpfr:
-      return &paper_frame<Arithmetic::mpfr>;
-    case Arithmetic::exact:
-      return &paper_frame<Arithmetic::exact>;
-  }
-  throw Error(Error::Code::usage, "arithmetic", "unknown policy");
+  return for_policy(arithmetic, []<Arithmetic A>() -> FrameEngine { return &paper_frame<A>; });
 }
 
 }  // namespace provis

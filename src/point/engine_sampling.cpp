@@ -20,17 +20,7 @@ Outcome sample_frame(const Scene& scene, const FrameQuery& query, const std::vec
 }  // namespace
 
 FrameEngine sampling_engine(Arithmetic arithmetic) {
-  switch (arithmetic) {
-    case Arithmetic::doubles:
-      return &sample_frame<Arithmetic::doubles>;
-    case Arithmetic::chain:
-      return &sample_frame<Arithmetic::chain>;
-    case Arithmetic::mpfr:
-      return &sample_frame<Arithmetic::mpfr>;
-    case Arithmetic::exact:
-      return &sample_frame<Arithmetic::exact>;
-  }
-  throw Error(Error::Code::usage, "arithmetic", "unknown policy");
+  return for_policy(arithmetic, []<Arithmetic A>() -> FrameEngine { return &sample_frame<A>; });
 }
 
 }  // namespace provis

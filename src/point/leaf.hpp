@@ -8,10 +8,9 @@
 
 #include "provis/error.hpp"
 #include "src/point/effects.hpp"
+#include "src/point/fragment.hpp"
 #include "src/point/leaf_lines.hpp"
 #include "src/point/patch.hpp"
-#include "src/point/polygon.hpp"
-#include "src/point/tile.hpp"
 #include "src/point/witness_point.hpp"
 
 namespace provis {
@@ -35,7 +34,6 @@ class Leaf {
         tile_(tile),
         members_(members),
         lines_(signs, facets, part),
-        part_(part),
         cutter_(signs, part.points),
         patch_(facets) {}
 
@@ -68,7 +66,7 @@ class Leaf {
   bool covered(std::uint32_t t, const Window& rectangle, int halvings);
   Sight subtract_all(std::uint32_t t, Members& waiting);
 
-  bool sample_in(const Cell& cell, PolygonCorner& at) const;
+  bool sample_in(const Cell& cell, PolygonCorner& at);
   bool misses(std::uint32_t o, std::uint32_t t, const Vec3<ExactNumber>& ray);
   template <class Clear>
   bool clear_of_all(std::uint32_t t, const Clear& clear) const;
@@ -80,7 +78,6 @@ class Leaf {
   const Tile& tile_;
   const std::vector<std::uint32_t>& members_;
   LeafLines<A> lines_;
-  PartLines<A>& part_;
   CellCutter<A> cutter_;
   CellSigns scratch_;
   Patch patch_;
@@ -107,7 +104,7 @@ Cell Leaf<A, E>::cut(const Cell& cell, const Region& region, std::vector<Cell>& 
 
 /// A ray well inside the cell, certainly so; false where float64 cannot tell.
 template <Arithmetic A, QueryEffects E>
-bool Leaf<A, E>::sample_in(const Cell& cell, PolygonCorner& at) const {
+bool Leaf<A, E>::sample_in(const Cell& cell, PolygonCorner& at) {
   Vec3d sum;
   for (const Direction& v : cell.vertices) {
     const double size = largest(v.approx.v);
@@ -115,13 +112,8 @@ bool Leaf<A, E>::sample_in(const Cell& cell, PolygonCorner& at) const {
     sum = sum + (1 / size) * v.approx.v;
   }
   const Vec3d middle = window_coordinates(signs_.geometry(), sum);
-  if (!std::isfinite(middle.x) || !std::isfinite(middle.y)) return false;
   at = {middle.x, middle.y};
-  const Direction sample = window_direction(signs_, middle);
-  return std::all_of(cell.lines.begin(), cell.lines.end(), [&](const Side& l) {
-    const Sign wanted = l.negated ? Sign::negative : Sign::positive;
-    return signs_.quick_side(*l.line, sample) == wanted;
-  });
+  return quickly_inside(signs_, cell, middle);
 }
 
 template <Arithmetic A, QueryEffects E>
@@ -181,7 +173,7 @@ double Leaf<A, E>::edge_value(std::uint32_t t, std::size_t k, const PolygonCorne
   const double value = facets_[t].inside[k].at(at.x, at.y);
   if constexpr (A == Arithmetic::doubles)
     if (signs_.geometry().checked) [[unlikely]]
-      signs_.check(part_.of(t).edges[k], window_direction(signs_, {at.x, at.y, 0}), sign_of(value));
+      signs_.check(lines_.of(t).edges[k], window_direction(signs_, {at.x, at.y, 0}), sign_of(value));
   return value;
 }
 
@@ -230,7 +222,8 @@ template <Arithmetic A, QueryEffects E>
 bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, Direction& sample) {
   std::vector<Polygon> pieces{Polygon(tile_.window)};
   for (const WindowFunction& e : facets_[t].inside) pieces[0] = pieces[0].clipped(e, 1);
-  const double least = 1e-9 * pieces[0].area();
+  const double least =
+      1e-9 * pieces[0].area();  // not worth a look; what is given up goes on to certain signs
   auto met = waiting.begin();
   while (!pieces.empty()) {
     const Polygon& piece = *std::max_element(
@@ -270,8 +263,7 @@ bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, Direction& sample) {
 template <Arithmetic A, QueryEffects E>
 bool Leaf<A, E>::covered(std::uint32_t t, const Window& rectangle, int halvings) {
   const Facet& f = facets_[t];
-  const Window w{std::max(rectangle.x0, f.box.x0), std::min(rectangle.x1, f.box.x1),
-                 std::max(rectangle.y0, f.box.y0), std::min(rectangle.y1, f.box.y1)};
+  const Window w = intersection(f.box, rectangle);
   if (!(w.x0 <= w.x1 && w.y0 <= w.y1)) return true;
   for (const WindowFunction& e : f.inside)
     if (e.highest(w) < 0) return true;

@@ -57,8 +57,7 @@ void Patch::connect() {
 }
 
 bool Patch::holds_a_ray(const Facet& f, const Window& r) const {
-  const Window both{std::max(f.box.x0, r.x0), std::min(f.box.x1, r.x1), std::max(f.box.y0, r.y0),
-                    std::min(f.box.y1, r.y1)};
+  const Window both = intersection(f.box, r);
   for (const double s : {0.5, 0.25, 0.75, 0.0, 1.0})
     for (const double t : {0.5, 0.25, 0.75, 0.0, 1.0}) {
       const double x = std::clamp(both.x0 + s * (both.x1 - both.x0), r.x0, r.x1);

@@ -5,6 +5,7 @@
 
 #include "predicates/environment.hpp"
 #include "predicates/on_triangle.hpp"
+#include "provis/check_doubles.hpp"
 #include "provis/effects.hpp"
 #include "provis/error.hpp"
 #include "src/point/engine_paper.hpp"
@@ -80,8 +81,17 @@ class Stopwatch {
   double cpu_ = cpu_seconds();
 };
 
-VisibleSet run_frames(const Scene& scene, const PointView& view, const PointOptions& options,
-                      const Context& context, FrameEngine engine) {
+/// A query and how it is answered.
+struct Request {
+  const Scene& scene;
+  const PointView& view;
+  const PointOptions& options;
+  const Context& context;
+  bool checked = false;  ///< plain doubles, with every sign decided exactly too
+};
+
+VisibleSet run_frames(const Request& request, FrameEngine engine) {
+  const auto& [scene, view, options, context, checked] = request;
   VisibleSet set;
   set.guarantee = guarantee_of(options);
   set.status.assign(scene.primitive_count(),
@@ -93,7 +103,8 @@ VisibleSet run_frames(const Scene& scene, const PointView& view, const PointOpti
   Outcome total;
   for (std::size_t k = 0; k < view.frames.size(); ++k) {
     const Frame& frame = view.frames[k];
-    const ViewGeometry geometry = make_geometry(view.eye, frame, view.projection == Projection::parallel);
+    ViewGeometry geometry = make_geometry(view.eye, frame, view.projection == Projection::parallel);
+    geometry.checked = checked;
     Outcome outcome =
         engine(scene, {geometry, static_cast<int>(k), frame.window, options, context, progress}, known);
     for (const Found& f : outcome.found) {
@@ -112,10 +123,8 @@ VisibleSet run_frames(const Scene& scene, const PointView& view, const PointOpti
   return set;
 }
 
-}  // namespace
-
-VisibleSet visible_from_point(const Scene& scene, const PointView& view, const PointOptions& options,
-                              const Context& context) {
+VisibleSet answer(const Request& request) {
+  const auto& [scene, view, options, context, checked] = request;
   check(view);
   check(options);
   check_environment();
@@ -127,11 +136,25 @@ VisibleSet visible_from_point(const Scene& scene, const PointView& view, const P
   const FrameEngine engine =
       choose_engine(options, {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});
   const Stopwatch stopwatch;
-  VisibleSet set = on_threads(context, [&] { return run_frames(scene, view, options, context, engine); });
+  VisibleSet set = on_threads(request.context, [&] { return run_frames(request, engine); });
   set.eye_on_primitive = view.projection != Projection::parallel && lies_on_occluder(scene, view.eye);
   set.stats.threads = thread_count(context);
+  set.stats.checked = checked;
   stopwatch.read(set.stats);
   return set;
+}
+
+}  // namespace
+
+VisibleSet visible_from_point(const Scene& scene, const PointView& view, const PointOptions& options,
+                              const Context& context) {
+  return answer({scene, view, options, context});
+}
+
+VisibleSet check_doubles(const Scene& scene, const PointView& view, const Context& context) {
+  PointOptions options;
+  options.arithmetic = Arithmetic::doubles;
+  return answer({scene, view, options, context, true});
 }
 
 }  // namespace provis

@@ -23,6 +23,10 @@ inline bool overlap(const Window& a, const Window& b) {
   return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
 }
 
+inline Window intersection(const Window& a, const Window& b) {
+  return {std::max(a.x0, b.x0), std::min(a.x1, b.x1), std::max(a.y0, b.y0), std::min(a.y1, b.y1)};
+}
+
 /// a x + b y + c lies within `error` of the true value on every ray of the window, and so does each value
 /// below; the error is infinite where nothing is known.
 struct WindowFunction {

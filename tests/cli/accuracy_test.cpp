@@ -20,14 +20,8 @@
 using namespace provis;
 using namespace provis::test;
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
 
 namespace {
-
-Words operator+(Words a, const Words& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
 
 std::string text(const Vec3d& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 

@@ -14,6 +14,14 @@ struct Outcome {
   std::string out, err;
 };
 
+/// Arguments of the program.
+using Words = std::vector<std::string>;
+
+inline Words operator+(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
 /// One run of the program.
 class Child {
  public:

@@ -11,14 +11,8 @@
 using namespace provis;
 using namespace provis::test;
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
 
 namespace {
-
-Words operator+(Words a, const Words& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
 
 // A query with the scene it needs.
 struct Query {

@@ -10,7 +10,6 @@
 
 using namespace provis;
 using namespace provis::test;
-using Words = std::vector<std::string>;
 
 namespace {
 

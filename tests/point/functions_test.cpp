@@ -67,10 +67,9 @@ struct Claims {
   std::size_t asked = 0, certain = 0;
 };
 
-}  // namespace
-
-TEST_CASE("functions of window coordinates have the signs of their lines, wherever they are certain") {
-  Claims claims;
+/// Calls body with a frame of every generated case.
+template <class Body>
+void for_frames(const Body& body) {
   for (const std::uint64_t seed : seeds(20)) {
     const Case c = generate(seed);
     INFO(describe(c));
@@ -78,6 +77,15 @@ TEST_CASE("functions of window coordinates have the signs of their lines, wherev
     const RoundUp guard;
     const Scene scene(c.arrays);
     FrameOf frame(c, scene, random.below(c.view.frames.size()));
+    body(frame, random);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("functions of window coordinates have the signs of their lines, wherever they are certain") {
+  Claims claims;
+  for_frames([&](FrameOf& frame, Random& random) {
     const auto& facets = frame.facets.facets;
     for (std::uint32_t f = 0; f < facets.size(); ++f) {
       const PolygonCorner at = ray(frame, random);
@@ -93,18 +101,12 @@ TEST_CASE("functions of window coordinates have the signs of their lines, wherev
       claims.hold(before.at(at.x, at.y), before.error,
                   nearer.line == nullptr ? Sign::zero : frame.sign(nearer, at.x, at.y));
     }
-  }
+  });
   CHECK(2 * claims.certain > claims.asked);
 }
 
 TEST_CASE("a facet's box holds every ray on which it is hit, and bounds of a rectangle hold on its rays") {
-  for (const std::uint64_t seed : seeds(20)) {
-    const Case c = generate(seed);
-    INFO(describe(c));
-    Random random(seed);
-    const RoundUp guard;
-    const Scene scene(c.arrays);
-    FrameOf frame(c, scene, random.below(c.view.frames.size()));
+  for_frames([&](FrameOf& frame, Random& random) {
     for (std::uint32_t f = 0; f < frame.facets.facets.size(); ++f) {
       const Facet& facet = frame.facets.facets[f];
       const PolygonCorner p = ray(frame, random), q = ray(frame, random);
@@ -118,7 +120,7 @@ TEST_CASE("a facet's box holds every ray on which it is hit, and bounds of a rec
       }
       if (hit) REQUIRE(overlap(facet.box, {p.x, p.x, p.y, p.y}));
     }
-  }
+  });
 }
 
 }  // namespace provis::test
