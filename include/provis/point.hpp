@@ -22,11 +22,6 @@ enum class PointEngine {
   paper,  ///< Popescu et al.: aggressive set, subdivision of what is visible, classify, sample again
 };
 
-/// The pixels of each frame: what the sampled methods call a fragment. Never changes an exact set.
-struct PixelGrid {
-  int width = 1280, height = 720;
-};
-
 struct PointOptions {
   Arithmetic arithmetic = Arithmetic::chain;
   Method method = Method::exact;

@@ -23,6 +23,11 @@ struct Frame {
   friend bool operator==(const Frame&, const Frame&) = default;
 };
 
+/// The pixels of each frame: what sampled methods call a fragment. Never changes an exact set from a point.
+struct PixelGrid {
+  int width = 1280, height = 720;
+};
+
 enum class Projection {
   pinhole,   ///< rays leave the eye along forward + x right + y up
   parallel,  ///< the eye is at infinity: rays leave eye + x right + y up along forward, at distances > 0
