@@ -1,5 +1,5 @@
 #pragma once
-// The chain: structure, filter, interval, MPFR, exact. Engines ask here and nowhere else.
+// The chain: structure, filter, interval, exact. Engines ask here and nowhere else.
 
 #include <optional>
 
@@ -60,6 +60,9 @@ class Signs {
   /// Whether a depth line is zero everywhere: both triangles lie in one plane.
   bool vanishes(const Line& depth_line);
 
+  /// Counts a sign that an engine took from a function of its own with a certain bound.
+  void count(Predicate p, Tier t) { ++counts_.at(p, t); }
+
   /// ViewGeometry::checked: counts the sign as wrong if the exact one is another.
   [[gnu::cold]] void check(const Line& line, const Direction& direction, Sign taken);
 
@@ -100,8 +103,6 @@ class Signs {
   Sign slow_side(const Line& line, const Direction& direction);
   template <class Formula>
   Sign decided(Predicate p, const Formula& formula);
-  void count(Predicate p, Tier t) { ++counts_.at(p, t); }
-
   const ViewGeometry& geometry_;
   SignCounts& counts_;
 };

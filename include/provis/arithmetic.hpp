@@ -10,12 +10,12 @@ namespace provis {
 /// The arithmetic by which an engine takes its branches.
 enum class Arithmetic {
   doubles,  ///< plain float64, no error bound: fast, and sometimes wrong; for comparison only
-  chain,    ///< filter, interval, MPFR, exact, in this order: the product
+  chain,    ///< structure, filter, interval, exact, in this order: the product
   mpfr,     ///< MPFR intervals of growing precision for every sign: certain and slow
   exact,    ///< exact dyadic rationals for every sign: certain and slow
 };
 
-/// The tier of the chain that decided a sign.
+/// The tier that decided a sign; mpfr belongs to Arithmetic::mpfr only.
 enum class Tier { structure, filter, interval, mpfr, exact };
 inline constexpr int tier_count = 5;
 

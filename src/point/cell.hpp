@@ -40,9 +40,10 @@ class CellCutter {
   /// The part of the cell where h is positive, given the signs of its vertices (some of both kinds).
   Cell part(const Cell& cell, Side h, const CellSigns& vertex_signs, Sign wanted);
 
- private:
+  /// The vertex where line l gives way to line m on the way around a cell.
   Direction meet(Side l, Side m);
 
+ private:
   Signs<A>& signs_;
   ImagePoints<A>& points_;
 };

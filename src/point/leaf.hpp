@@ -10,7 +10,6 @@
 #include "src/point/effects.hpp"
 #include "src/point/fragment.hpp"
 #include "src/point/leaf_lines.hpp"
-#include "src/point/patch.hpp"
 #include "src/point/witness_point.hpp"
 
 namespace provis {
@@ -34,8 +33,13 @@ class Leaf {
         tile_(tile),
         members_(members),
         lines_(signs, facets, part),
-        cutter_(signs, part.points),
-        patch_(facets) {}
+        cutter_(signs, part.points) {}
+
+  /// Whether one ray in the middle of facet t certainly shows it; the rest of the answer is open.
+  bool glance(std::uint32_t t, Sight& sight);
+
+  /// Whether one of a few rays in what plain polygons leave of it does.
+  bool glimpse(std::uint32_t t, Sight& sight);
 
   /// Whether facet t is visible within the tile.
   Sight look(std::uint32_t t);
@@ -45,6 +49,7 @@ class Leaf {
   WitnessPoint witness(std::uint32_t t, const Sight& sight);
 
   LeafLines<A>& lines() { return lines_; }
+  CellCutter<A>& cutter() { return cutter_; }
 
   /// Cuts the region out of the cell: appends what remains to `outside`, returns the part inside (empty if
   /// the two do not overlap; then the whole cell remains).
@@ -54,16 +59,16 @@ class Leaf {
   enum class Meeting { clear, blocked };
   using Members = std::vector<std::uint32_t>;
 
-  static constexpr int most_halvings = 3;  ///< of a facet's rectangle, in search of covers
+  static constexpr int most_rounds = 4;  ///< of a glimpse: what is seen is mostly seen at once
 
-  bool glimpse(std::uint32_t t, Members& waiting, Direction& sample);
+  Members others(std::uint32_t t) const;
+  void show(Sight& sight, const PolygonCorner& at) const;
   bool shows(std::uint32_t t, const PolygonCorner& at);
   Meeting meet(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
   /// Plain doubles take the value on a ray at its word; bounds of rectangles are certain under every policy.
   static double claimed(double error) { return A == Arithmetic::doubles ? 0 : error; }
   double edge_value(std::uint32_t t, std::size_t k, const PolygonCorner& at);
   double nearer_value(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
-  bool covered(std::uint32_t t, const Window& rectangle, int halvings);
   Sight subtract_all(std::uint32_t t, Members& waiting);
 
   bool sample_in(const Cell& cell, PolygonCorner& at);
@@ -80,7 +85,6 @@ class Leaf {
   LeafLines<A> lines_;
   CellCutter<A> cutter_;
   CellSigns scratch_;
-  Patch patch_;
 };
 
 template <Arithmetic A, QueryEffects E>
@@ -139,21 +143,43 @@ bool Leaf<A, E>::too_many(std::size_t pieces) const {
   return false;
 }
 
+/// The occluders that may hide t.
+template <Arithmetic A, QueryEffects E>
+typename Leaf<A, E>::Members Leaf<A, E>::others(std::uint32_t t) const {
+  Members list;
+  for (const std::uint32_t o : members_)
+    if (o != t && (!E.see_through || facets_[o].occludes)) list.push_back(o);
+  return list;
+}
+
+template <Arithmetic A, QueryEffects E>
+void Leaf<A, E>::show(Sight& sight, const PolygonCorner& at) const {
+  sight.visible = sight.sampled = true;
+  sight.sample = window_direction(signs_, {at.x, at.y, 0});
+}
+
 template <Arithmetic A, QueryEffects E>
 Sight Leaf<A, E>::look(std::uint32_t t) {
-  Members waiting;
-  for (const std::uint32_t o : members_)
-    if (o != t && (!E.see_through || facets_[o].occludes)) waiting.push_back(o);
   // The slow policies are there to take signs.
-  if constexpr (A == Arithmetic::chain || A == Arithmetic::doubles) {
-    Sight sight;
-    if (glimpse(t, waiting, sight.sample)) {
-      sight.visible = sight.sampled = true;
-      return sight;
-    }
-    if (covered(t, tile_.window, 0)) return {};
-  }
+  if constexpr (A == Arithmetic::chain || A == Arithmetic::doubles)
+    if (Sight sight; glimpse(t, sight)) return sight;
+  Members waiting = others(t);
   return subtract_all(t, waiting);
+}
+
+template <Arithmetic A, QueryEffects E>
+bool Leaf<A, E>::glance(std::uint32_t t, Sight& sight) {
+  Polygon fragment(tile_.window);
+  for (const WindowFunction& e : facets_[t].inside) fragment = fragment.clipped(e, 1);
+  if (fragment.empty()) return false;
+  const PolygonCorner at = fragment.middle();
+  if (!shows(t, at)) return false;
+  const auto blocks = [&](std::uint32_t o) {
+    return o != t && (!E.see_through || facets_[o].occludes) && meet(o, t, at) == Meeting::blocked;
+  };
+  if (std::any_of(members_.begin(), members_.end(), blocks)) return false;
+  show(sight, at);
+  return true;
 }
 
 /// Whether t is certainly hit strictly inside, beyond the window.
@@ -216,16 +242,15 @@ typename Leaf<A, E>::Meeting Leaf<A, E>::meet(std::uint32_t o, std::uint32_t t, 
   return lines_.depth(o, t).line == nullptr ? Meeting::clear : Meeting::blocked;
 }
 
-/// Looks for a ray on which t is certainly seen, where plain polygons leave something of it. Moves the
-/// occluders that it meets to the front.
 template <Arithmetic A, QueryEffects E>
-bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, Direction& sample) {
+bool Leaf<A, E>::glimpse(std::uint32_t t, Sight& sight) {
+  Members waiting = others(t);
   std::vector<Polygon> pieces{Polygon(tile_.window)};
   for (const WindowFunction& e : facets_[t].inside) pieces[0] = pieces[0].clipped(e, 1);
   const double least =
       1e-9 * pieces[0].area();  // not worth a look; what is given up goes on to certain signs
   auto met = waiting.begin();
-  while (!pieces.empty()) {
+  for (int round = 0; !pieces.empty() && round < most_rounds; ++round) {
     const Polygon& piece = *std::max_element(
         pieces.begin(), pieces.end(), [](const Polygon& p, const Polygon& q) { return p.area() < q.area(); });
     if (!(piece.area() > least)) return false;
@@ -234,10 +259,9 @@ bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, Direction& sample) {
     const auto next = std::find_if(waiting.begin(), waiting.end(),
                                    [&](std::uint32_t o) { return meet(o, t, at) == Meeting::blocked; });
     if (next == waiting.end()) {
-      sample = window_direction(signs_, {at.x, at.y, 0});
+      show(sight, at);
       return true;
     }
-    if (met == waiting.begin() && covered(t, tile_.window, most_halvings)) return false;
     // Polygons that are rounded may leave slivers of what is gone.
     if (next < met) return false;
     const std::uint32_t o = *next;
@@ -257,29 +281,6 @@ bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, Direction& sample) {
     pieces = std::move(remaining);
   }
   return false;
-}
-
-/// Whether t is certainly hidden within the rectangle: by one patch, or half by half.
-template <Arithmetic A, QueryEffects E>
-bool Leaf<A, E>::covered(std::uint32_t t, const Window& rectangle, int halvings) {
-  const Facet& f = facets_[t];
-  const Window w = intersection(f.box, rectangle);
-  if (!(w.x0 <= w.x1 && w.y0 <= w.y1)) return true;
-  for (const WindowFunction& e : f.inside)
-    if (e.highest(w) < 0) return true;
-  patch_.clear();
-  for (const std::uint32_t o : members_)
-    if (o != t && facets_[o].occludes && !(E.front_clip && facets_[o].cut) &&
-        difference(facets_[o].depth, f.depth).lowest(w) > 0)
-      patch_.add(o, w);
-  if (patch_.cover(w) > -HUGE_VAL) return true;
-  if (halvings == most_halvings || patch_.empty()) return false;
-  Window a = w, b = w;
-  if (w.x1 - w.x0 > w.y1 - w.y0)
-    a.x1 = b.x0 = w.x0 / 2 + w.x1 / 2;
-  else
-    a.y1 = b.y0 = w.y0 / 2 + w.y1 / 2;
-  return covered(t, a, halvings + 1) && covered(t, b, halvings + 1);
 }
 
 /// Exactly, whatever the position: keeps the pieces of t's cell in which nothing hides it so far.
@@ -309,8 +310,7 @@ Sight Leaf<A, E>::subtract_all(std::uint32_t t, Members& waiting) {
       const auto blocks = [&](std::uint32_t o) { return meet(o, t, at) == Meeting::blocked; };
       const auto found = std::find_if(waiting.rbegin(), waiting.rend(), blocks);
       if (found == waiting.rend()) {
-        sight.sampled = true;
-        sight.sample = window_direction(signs_, {at.x, at.y, 0});
+        show(sight, at);
         sight.cell = std::move(pieces.back());
         return sight;
       }

@@ -7,7 +7,9 @@
 
 #include "provis/point.hpp"
 #include "src/point/arrangement.hpp"
+#include "src/point/leaf_subdivision.hpp"
 #include "src/point/outcome.hpp"
+#include "src/point/patch.hpp"
 
 namespace provis {
 
@@ -77,21 +79,28 @@ class Traversal {
   void run(const Window& part);
 
  private:
-  static constexpr std::size_t leaf_size = 32;
-  static constexpr std::size_t largest_patch = 64;
-  static constexpr int most_stalls = 3;  ///< halvings in a row that separate nothing
+  static constexpr std::size_t leaf_size = 64;
+  static constexpr std::size_t largest_patch = 128;  ///< of a rectangle that is about to be halved
+  static constexpr std::size_t most_alone = 2;       ///< facets of a leaf that are decided one by one
+  static constexpr int most_stalls = 3;              ///< halvings in a row that separate nothing
   /// Where a fan's vertex meets a halving line, one half keeps the whole fan for as long as there are
   /// numbers.
   static constexpr int most_depth = 40;
 
   using Items = std::vector<Item>;
+  using Members = std::vector<std::uint32_t>;
 
   void descend(Items& items, const Window& window, int depth, int stalls);
   void narrow(const Window& window, Items& items) const;
   void cull_behind_cover(const Window& window, Items& items);
   void resolve(const Tile& tile, const Items& items);
-  void decide(Leaf<A, E>& leaf, const Item& item);
-  std::uint32_t slot(const Item& i) const { return shared_ ? facets_.facets[i.facet].id : i.facet; }
+  void resolve_quickly(Leaf<A, E>& leaf, const Tile& tile, const Members& members, Members& open);
+  Members front_to_back(const Members& members, const Window& window) const;
+  void share(Leaf<A, E>& leaf, const Tile& tile, const Members& order);
+  void decide(Leaf<A, E>& leaf, const Tile& tile, const Members& order, std::uint32_t facet);
+  void see_all(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision);
+  void see(Leaf<A, E>& leaf, std::uint32_t facet, const Sight& sight);
+  std::uint32_t slot(std::uint32_t facet) const { return shared_ ? facets_.facets[facet].id : facet; }
 
   const FrameQuery& query_;
   Signs<A>& signs_;
@@ -135,7 +144,7 @@ void Traversal<A, E>::descend(Items& items, const Window& window, int depth, int
   narrow(window, items);
   cull_behind_cover(window, items);
   const bool done =
-      std::all_of(items.begin(), items.end(), [&](const Item& i) { return seen_.get(slot(i)); });
+      std::all_of(items.begin(), items.end(), [&](const Item& i) { return seen_.get(slot(i.facet)); });
   if (done && !query_.options.subdivision) return;
 
   const auto h = halves(window, depth);
@@ -191,7 +200,7 @@ void Traversal<A, E>::cull_behind_cover(const Window& window, Items& items) {
     });
     return;
   }
-  if (items.size() > largest_patch) return;
+  if (items.size() <= leaf_size || items.size() > largest_patch) return;
   patch_.clear();
   for (const Item& item : items)
     if (facet(item).occludes && !(E.front_clip && facet(item).cut)) patch_.add(item.facet, window);
@@ -202,23 +211,108 @@ void Traversal<A, E>::cull_behind_cover(const Window& window, Items& items) {
 template <Arithmetic A, QueryEffects E>
 void Traversal<A, E>::resolve(const Tile& tile, const Items& items) {
   ++outcome_.stats.leaves;
-  std::vector<std::uint32_t> members;
+  std::vector<std::uint32_t> members, open;
   for (const Item& i : items) members.push_back(i.facet);
   Leaf<A, E> leaf(signs_, facets_, lines_, tile, members);
-  for (const Item& i : items)
-    if (!seen_.get(slot(i))) decide(leaf, i);
+  for (const std::uint32_t f : members)
+    if (!seen_.get(slot(f))) open.push_back(f);
+  if constexpr (A == Arithmetic::chain || A == Arithmetic::doubles)
+    resolve_quickly(leaf, tile, members, open);
+  else
+    for (const std::uint32_t f : open) {
+      const Sight sight = leaf.look(f);
+      ++outcome_.stats.subtractions;
+      if (sight.visible) see(leaf, f, sight);
+    }
   if (query_.options.subdivision)
     Arrangement<A, E>(signs_, facets_, lines_, tile, members).report(query_.frame, outcome_.cells);
 }
 
+/// One ray each, and what is left one by one or, where that is much, all together.
 template <Arithmetic A, QueryEffects E>
-void Traversal<A, E>::decide(Leaf<A, E>& leaf, const Item& item) {
-  const Sight sight = leaf.look(item.facet);
-  ++(sight.sampled ? outcome_.stats.samples : outcome_.stats.subtractions);
-  if (!sight.visible || !seen_.set(slot(item))) return;
+void Traversal<A, E>::resolve_quickly(Leaf<A, E>& leaf, const Tile& tile, const Members& members,
+                                      Members& open) {
+  std::erase_if(open, [&](std::uint32_t f) {
+    Sight sight;
+    if (!leaf.glance(f, sight)) return false;
+    see(leaf, f, sight);
+    return true;
+  });
+  if (open.empty()) return;
+  const Members order = front_to_back(members, tile.window);
+  if (open.size() > most_alone && 3 * open.size() > members.size()) {
+    share(leaf, tile, order);
+    return;
+  }
+  for (const std::uint32_t f : open) decide(leaf, tile, order, f);
+}
+
+/// Occluders first, by the nearest that they may come in the tile.
+template <Arithmetic A, QueryEffects E>
+typename Traversal<A, E>::Members Traversal<A, E>::front_to_back(const Members& members,
+                                                                 const Window& window) const {
+  std::vector<std::pair<double, std::uint32_t>> keys;
+  for (const std::uint32_t m : members) {
+    const Facet& f = facets_.facets[m];
+    const double nearest = f.depth.highest(intersection(f.box, window));
+    keys.emplace_back(!f.occludes           ? HUGE_VAL
+                      : nearest > -0x1p1000 ? -nearest
+                                            : 0x1p1000,
+                      m);  // NaN goes last
+  }
+  std::sort(keys.begin(), keys.end());
+  Members order;
+  for (const auto& [depth, m] : keys) order.push_back(m);
+  return order;
+}
+
+/// Decides all members together.
+template <Arithmetic A, QueryEffects E>
+void Traversal<A, E>::share(Leaf<A, E>& leaf, const Tile& tile, const Members& order) {
+  LeafSubdivision<A, E> subdivision(signs_, facets_, leaf.lines(), leaf.cutter(), tile);
+  for (const std::uint32_t m : order) {
+    if (subdivision.too_many()) break;
+    subdivision.insert(m);
+  }
+  outcome_.stats.subtractions += order.size();
+  see_all(leaf, subdivision);
+}
+
+/// Decides one facet: takes away what the others hide of it.
+template <Arithmetic A, QueryEffects E>
+void Traversal<A, E>::decide(Leaf<A, E>& leaf, const Tile& tile, const Members& order, std::uint32_t facet) {
+  if (Sight sight; leaf.glimpse(facet, sight)) {
+    see(leaf, facet, sight);
+    return;
+  }
+  ++outcome_.stats.subtractions;
+  LeafSubdivision<A, E> subdivision(signs_, facets_, leaf.lines(), leaf.cutter(), tile);
+  subdivision.restrict_to(facet);
+  for (const std::uint32_t m : order)
+    if (m != facet && facets_.facets[m].occludes && (subdivision.too_many() || !subdivision.subtract(m)))
+      break;
+  see_all(leaf, subdivision);
+}
+
+/// What is seen in some cell.
+template <Arithmetic A, QueryEffects E>
+void Traversal<A, E>::see_all(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision) {
+  subdivision.for_visible([&](std::uint32_t f, const auto& cell) {
+    if (seen_.get(slot(f))) return;
+    Sight sight;
+    sight.visible = true;
+    if (query_.options.witnesses) sight.cell = cell();
+    see(leaf, f, sight);
+  });
+}
+
+template <Arithmetic A, QueryEffects E>
+void Traversal<A, E>::see(Leaf<A, E>& leaf, std::uint32_t facet, const Sight& sight) {
+  if (sight.sampled) ++outcome_.stats.samples;
+  if (!seen_.set(slot(facet))) return;
   Found& found = outcome_.found.emplace_back();
-  found.primitive = facets_.facets[item.facet].id;
-  if (query_.options.witnesses) found.witness = leaf.witness(item.facet, sight);
+  found.primitive = facets_.facets[facet].id;
+  if (query_.options.witnesses) found.witness = leaf.witness(facet, sight);
 }
 
 }  // namespace provis

@@ -37,11 +37,14 @@ TEST_CASE("checked doubles answer as unchecked ones, by the same signs") {
     const VisibleSet checked = check_doubles(scene, c.view);
     REQUIRE(checked.status == plain.status);
     REQUIRE(checked.guarantee == Guarantee::sampled);
-    // To check how deep a ray meets two triangles takes their depth line, which the unwatched run can do
-    // without.
+    // To check a sign takes the definitions of line and ray, which the unwatched run can do without: depth
+    // lines, and input points in the image.
     auto asked = checked.stats.signs.decided;
-    const auto planes = static_cast<std::size_t>(Predicate::coplanar);
-    asked[planes] = plain.stats.signs.decided[planes];
+    for (const Predicate p : {Predicate::coplanar, Predicate::turn}) {
+      const auto k = static_cast<std::size_t>(p);
+      REQUIRE(asked[k] >= plain.stats.signs.decided[k]);
+      asked[k] = plain.stats.signs.decided[k];
+    }
     REQUIRE(asked == plain.stats.signs.decided);
     REQUIRE(checked.stats.checked);
     REQUIRE_FALSE(plain.stats.checked);

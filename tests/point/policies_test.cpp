@@ -46,7 +46,7 @@ TEST_CASE("the tiers behind the filter are all needed by degenerate scenes") {
     const Case c = generate(seed);
     sum += visible_from_point(Scene(c.arrays), c.view).stats.signs;
   }
-  for (const Tier tier : {Tier::structure, Tier::filter, Tier::interval, Tier::mpfr, Tier::exact}) {
+  for (const Tier tier : {Tier::structure, Tier::filter, Tier::interval, Tier::exact}) {
     std::uint64_t decided = 0;
     for (int p = 0; p < predicate_count; ++p) decided += sum.at(static_cast<Predicate>(p), tier);
     INFO(name(tier));

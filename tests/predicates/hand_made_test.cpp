@@ -159,16 +159,16 @@ TEST_CASE("facing: edge-on triangles of small integers are zero by intervals") {
         Decided{Sign::zero, Predicate::facing, Tier::interval});
 }
 
-TEST_CASE("facing: full mantissas are zero, and a hair from it, by MPFR") {
+TEST_CASE("facing: full mantissas are zero, and a hair from it, by exact numbers") {
   const auto [a, c, b] = InEyePlane{};
-  CHECK(facing(looking_down(false), a, b, c) == Decided{Sign::zero, Predicate::facing, Tier::mpfr});
+  CHECK(facing(looking_down(false), a, b, c) == Decided{Sign::zero, Predicate::facing, Tier::exact});
   // d det[a, b, c] / d b.z = c.x a.y - c.y a.x > 0
   const Vec3d above{b.x, b.y, b.z + hair}, below{b.x, b.y, b.z - hair};
-  CHECK(facing(looking_down(false), a, above, c) == Decided{Sign::positive, Predicate::facing, Tier::mpfr});
-  CHECK(facing(looking_down(false), a, below, c) == Decided{Sign::negative, Predicate::facing, Tier::mpfr});
+  CHECK(facing(looking_down(false), a, above, c) == Decided{Sign::positive, Predicate::facing, Tier::exact});
+  CHECK(facing(looking_down(false), a, below, c) == Decided{Sign::negative, Predicate::facing, Tier::exact});
 }
 
-TEST_CASE("facing: exponents spread over more than 212 bits are left to exact arithmetic") {
+TEST_CASE("facing: exponents that are spread widely are left to exact arithmetic") {
   const Vec3d a{1, 1, 1}, b{0x1p-300, 2, 0x1p-300}, c{3, 7, 3};  // all in the plane x = z
   CHECK(facing(looking_down(false), a, b, c) == Decided{Sign::zero, Predicate::facing, Tier::exact});
   const Vec3d beside{b.x, b.y, 0x1p-300 * (1 + ulp)};
@@ -316,10 +316,10 @@ TEST_CASE("side: a hair from the line") {
   const ViewGeometry g = looking_down(false);
   const auto [a, c, b] = InEyePlane{};
   const Vec3d above{b.x, b.y, b.z + hair};
-  CHECK(side(g, edge(a, c), through(b)) == Decided{Sign::zero, Predicate::turn, Tier::mpfr});
+  CHECK(side(g, edge(a, c), through(b)) == Decided{Sign::zero, Predicate::turn, Tier::exact});
   // det[a, c, b] = -det[a, b, c]
-  CHECK(side(g, edge(a, c), through(above)) == Decided{Sign::negative, Predicate::turn, Tier::mpfr});
-  CHECK(side(g, edge(c, a), through(above)) == Decided{Sign::positive, Predicate::turn, Tier::mpfr});
+  CHECK(side(g, edge(a, c), through(above)) == Decided{Sign::negative, Predicate::turn, Tier::exact});
+  CHECK(side(g, edge(c, a), through(above)) == Decided{Sign::positive, Predicate::turn, Tier::exact});
 }
 
 TEST_CASE("side: too large or too small for the filter goes to intervals, and stays right") {
