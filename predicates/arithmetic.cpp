@@ -48,6 +48,12 @@ std::string_view name(Predicate predicate) {
       return "nearer_constructed";
     case Predicate::coplanar:
       return "coplanar";
+    case Predicate::along:
+      return "along";
+    case Predicate::motion:
+      return "motion";
+    case Predicate::event_order:
+      return "event_order";
   }
   return "?";
 }

@@ -28,8 +28,11 @@ enum class Predicate {
   nearer,              ///< which of two planes is met first along an input point or direction
   nearer_constructed,  ///< the same along the crossing of two lines
   coplanar,            ///< whether two triangles lie in one plane
+  along,               ///< from which side a pixel's rays meet a triangle's plane
+  motion,              ///< where an event can be: the signs of a function that is linear in time
+  event_order,         ///< order of two events, or what is nearer at one
 };
-inline constexpr int predicate_count = 7;
+inline constexpr int predicate_count = 10;
 
 std::string_view name(Arithmetic arithmetic);
 std::string_view name(Tier tier);

@@ -4,28 +4,48 @@
 #include <filesystem>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "provis/scene.hpp"
+#include "provis/segment.hpp"
 #include "provis/view.hpp"
 #include "provis/visible_set.hpp"
 
 namespace provis {
+
+/// A query along segments: all of them through the same frames.
+struct SegmentQuery {
+  struct Path {
+    Vec3d from, to;
+  };
+  std::vector<Path> paths;  ///< one or more; the answer is the union
+  std::vector<Frame> frames;
+  PixelGrid pixels;
+
+  /// Path k as the engine is asked about it.
+  SegmentView view(std::size_t k) const { return {paths[k].from, paths[k].to, frames, pixels}; }
+  /// The first viewpoint, and the frames that it looks through: six that make a sphere, or the first.
+  PointView first_view() const;
+};
 
 /// Everything a result file says besides the set itself.
 struct ResultHeader {
   std::string scene_file;
   std::string scene_hash;
   std::size_t triangles = 0, spheres = 0;
-  std::vector<LeftOut> left_out;  ///< of the file, because it was invalid
-  PointView view;
+  std::vector<LeftOut> left_out;               ///< of the file, because it was invalid
+  PointView view;                              ///< of a query along segments: SegmentQuery::first_view()
+  std::optional<SegmentQuery> segments;        ///< of such a query only
   std::map<std::string, std::string> options;  ///< every option that can change the set, as given
 };
 
 struct ResultFile {
   ResultHeader header;
   VisibleSet set;
+  std::vector<PrimitiveId> boundary;  ///< as in SegmentSet
+  std::vector<Seen> seen;             ///< likewise
 };
 
 /// Writes the result; float64 numbers read back bit for bit.

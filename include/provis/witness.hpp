@@ -3,6 +3,7 @@
 
 #include "provis/context.hpp"
 #include "provis/scene.hpp"
+#include "provis/segment.hpp"
 #include "provis/view.hpp"
 #include "provis/visible_set.hpp"
 
@@ -19,6 +20,15 @@ namespace provis {
 ///             Error::cancelled
 /// Cost:       about O(F log F + w log F), w witnesses; parallel
 std::size_t verify_witnesses(const Scene& scene, const PointView& view, const VisibleSet& set,
+                             const Context& context = {});
+
+/// The same for a query along a segment, of which the primitives of `boundary` have no witness.
+///
+/// Guarantee:  exact, as above, where a ray belongs to the view iff it starts on the segment, runs through
+/// the
+///             centre of a pixel (R8) and starts on no occluder
+/// Degenerate: on a segment of length zero a viewpoint may lie on an occluder, as for a point (R7)
+std::size_t verify_witnesses(const Scene& scene, const SegmentView& view, const SegmentSet& set,
                              const Context& context = {});
 
 }  // namespace provis

@@ -99,6 +99,24 @@ Passage ExactRay::passage(const Vec3d& a, const Vec3d& b, const Vec3d& c) const 
   return p;
 }
 
+bool ExactRay::starts_on(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
+  const auto height = [&](const auto& origin) {
+    return [&, o = origin]<class T>(T) {
+      const Vec3<T> p = numbers<T>(a);
+      return dot(cross(numbers<T>(b) - p, numbers<T>(c) - p), o - p);
+    };
+  };
+  const auto exact = [&] { return height(origin_)(N()); };
+  if (certain(height(origin_bounds_)(Interval()), exact) != Sign::zero) return false;
+  // Inside means that the three areas seen from the origin do not turn against the triangle's own normal.
+  const Vec3<N> u = numbers<N>(a) - origin_, v = numbers<N>(b) - origin_, w = numbers<N>(c) - origin_;
+  const Vec3<N> n = cross(v - u, w - u);
+  const auto along = [&](const Vec3<N>& s, const Vec3<N>& t) {
+    return sign_of(dot(n, cross(s, t))) != Sign::negative;
+  };
+  return sign_of(dot(n, n)) != Sign::zero && along(u, v) && along(v, w) && along(w, u);
+}
+
 Sign ExactRay::compare(const Scene& scene, std::size_t first, std::size_t second) const {
   // reach2/along2 - reach1/along1, over the product of both denominators and its sign.
   const auto difference = [&](const auto& origin, const auto& direction) {

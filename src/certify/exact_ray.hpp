@@ -35,6 +35,9 @@ class ExactRay {
   /// have along != 0.
   Sign compare(const Scene& scene, std::size_t first, std::size_t second) const;
 
+  /// Whether the ray starts on the closed triangle; on one of zero area it never does.
+  bool starts_on(const Vec3d& a, const Vec3d& b, const Vec3d& c) const;
+
   /// False only if the ray certainly misses the box.
   bool may_meet(const Box& box) const;
 

@@ -8,6 +8,7 @@
 #include "predicates/formulas.hpp"
 #include "provis/error.hpp"
 #include "src/certify/exact_ray.hpp"
+#include "src/certify/segment_rays.hpp"
 #include "src/scene/parallel.hpp"
 
 namespace provis {
@@ -23,40 +24,52 @@ bool shows(const Scene& scene, std::size_t t, Sign along) {
   return !(scene.triangle_flags()[t] & single_sided) || along == Sign::negative;
 }
 
-class WitnessChecker {
+/// Which rays belong to a view from a point.
+class PointRays {
  public:
-  WitnessChecker(const Scene& scene, const PointView& view) : scene_(scene), view_(view), tree_(scene) {
+  explicit PointRays(const PointView& view) : view_(view) {
     for (const Frame& f : view.frames)
       frames_.push_back(make_geometry(view.eye, f, view.projection == Projection::parallel));
   }
 
-  void check(const Witness& w) const {
-    const ExactRay ray(w);
-    if (!belongs(ray)) reject(w.primitive, "the ray does not belong to the view");
-    check_hit(ray, w.primitive);
-    check_free(ray, w.primitive);
-  }
+  bool belongs(const ExactRay& ray) const;
 
  private:
-  bool belongs(const ExactRay& ray) const;
   bool in_frame(const ExactRay& ray, std::size_t frame) const;
+
+  const PointView& view_;
+  std::vector<ViewGeometry> frames_;
+};
+
+/// What a ray has to show, whichever view it belongs to.
+class WitnessChecker {
+ public:
+  explicit WitnessChecker(const Scene& scene) : scene_(scene), tree_(scene) {}
+
+  void check(const ExactRay& ray, PrimitiveId target) const {
+    check_hit(ray, target);
+    check_free(ray, target);
+  }
+
+  /// Throws where the ray starts on an occluder.
+  void check_start(const ExactRay& ray, PrimitiveId target) const;
+
+ private:
   void check_hit(const ExactRay& ray, PrimitiveId target) const;
   void check_free(const ExactRay& ray, PrimitiveId target) const;
   bool blocks(const ExactRay& ray, std::size_t occluder, PrimitiveId target) const;
 
   const Scene& scene_;
-  const PointView& view_;
   BoxTree tree_;
-  std::vector<ViewGeometry> frames_;
 };
 
-bool WitnessChecker::belongs(const ExactRay& ray) const {
+bool PointRays::belongs(const ExactRay& ray) const {
   for (std::size_t f = 0; f < frames_.size(); ++f)
     if (in_frame(ray, f)) return true;
   return false;
 }
 
-bool WitnessChecker::in_frame(const ExactRay& ray, std::size_t frame) const {
+bool PointRays::in_frame(const ExactRay& ray, std::size_t frame) const {
   using N = ExactNumber;
   const ViewGeometry& g = frames_[frame];
   const Window& w = view_.frames[frame].window;
@@ -109,27 +122,63 @@ bool WitnessChecker::blocks(const ExactRay& ray, std::size_t occluder, Primitive
   return ray.compare(scene_, occluder, target) != Sign::negative && !coplanar(scene_, occluder, target);
 }
 
-}  // namespace
+void WitnessChecker::check_start(const ExactRay& ray, PrimitiveId target) const {
+  tree_.any([&](const Box& box) { return ray.may_meet(box); },
+            [&](std::uint32_t t) {
+              if (!(scene_.triangle_flags()[t] & see_through) &&
+                  ray.starts_on(scene_.corner(t, 0), scene_.corner(t, 1), scene_.corner(t, 2)))
+                reject(target, fmt::format("the viewpoint lies on triangle {}", t));
+              return false;
+            });
+}
 
-std::size_t verify_witnesses(const Scene& scene, const PointView& view, const VisibleSet& set,
-                             const Context& context) {
-  check(view);
+/// Checks each witness on threads; `exempt` holds visible primitives that need none.
+template <class Check>
+std::size_t verify(const Scene& scene, const VisibleSet& set, const std::vector<PrimitiveId>& exempt,
+                   const Context& context, const Check& check) {
   check_environment();
   std::vector<std::uint8_t> has(scene.primitive_count(), 0);
+  for (const PrimitiveId id : exempt)
+    if (id < has.size()) has[id] = 1;
   for (const Witness& w : set.witnesses)
     if (w.primitive < has.size()) has[w.primitive] = 1;
   for (const PrimitiveId id : set.with(Status::visible))
     if (id >= has.size() || !has[id]) reject(id, "called visible without a witness");
 
-  const WitnessChecker checker(scene, view);
   on_threads(context, [&] {
     parallel_for(set.witnesses.size(), [&](std::size_t k) {
       if (context.cancelled()) throw Error(Error::Code::cancelled, "witnesses", "interrupted");
       const RoundUp guard;
-      checker.check(set.witnesses[k]);
+      check(set.witnesses[k]);
     });
   });
   return set.witnesses.size();
+}
+
+}  // namespace
+
+std::size_t verify_witnesses(const Scene& scene, const PointView& view, const VisibleSet& set,
+                             const Context& context) {
+  check(view);
+  const PointRays rays(view);
+  const WitnessChecker checker(scene);
+  return verify(scene, set, {}, context, [&](const Witness& w) {
+    const ExactRay ray(w);
+    if (!rays.belongs(ray)) reject(w.primitive, "the ray does not belong to the view");
+    checker.check(ray, w.primitive);
+  });
+}
+
+std::size_t verify_witnesses(const Scene& scene, const SegmentView& view, const SegmentSet& set,
+                             const Context& context) {
+  check(view);
+  const WitnessChecker checker(scene);
+  return verify(scene, set.set, set.boundary, context, [&](const Witness& w) {
+    const ExactRay ray(w);
+    if (!belongs(ray, view)) reject(w.primitive, "the ray does not belong to the view");
+    if (!(view.from == view.to)) checker.check_start(ray, w.primitive);
+    checker.check(ray, w.primitive);
+  });
 }
 
 }  // namespace provis

@@ -64,8 +64,36 @@ std::vector<PrimitiveId> ascending_ids(const JsonNode& node, std::size_t count) 
   return ids;
 }
 
+/// Runs what checks a view; a complaint names the query.
+template <class View>
+void require_good(const View& view, const JsonNode& query) {
+  try {
+    check(view);
+  } catch (const Error& error) {
+    query.fail(error.what());
+  }
+}
+
+int pixels(const JsonNode& node) {
+  const std::uint64_t n = node.natural();
+  if (n > 1 << 20) node.fail("is too large");
+  return static_cast<int>(n);
+}
+
+SegmentQuery segments(const JsonNode& query) {
+  SegmentQuery result;
+  for (const JsonNode& item : query.member("frames").items()) result.frames.push_back(frame(item));
+  const std::vector<JsonNode> size = query.member("pixels").items(2);
+  result.pixels = {pixels(size[0]), pixels(size[1])};
+  for (const JsonNode& item : query.member("segments").items()) {
+    result.paths.push_back({item.member("from").vec3(), item.member("to").vec3()});
+    require_good(result.view(result.paths.size() - 1), query);
+  }
+  if (result.paths.empty()) query.member("segments").fail("is empty");
+  return result;
+}
+
 PointView view(const JsonNode& query) {
-  if (query.member("kind").text() != "point") query.member("kind").fail("is not \"point\"");
   const auto projection = projection_named(query.member("projection").text());
   if (!projection) query.member("projection").fail("is no projection of this version");
   PointView view{query.member("eye").vec3(), *projection, {}};
@@ -75,11 +103,7 @@ PointView view(const JsonNode& query) {
   } else {
     view.frames.push_back(frame(query));
   }
-  try {
-    check(view);
-  } catch (const Error& error) {
-    query.fail(error.what());
-  }
+  require_good(view, query);
   return view;
 }
 
@@ -103,7 +127,15 @@ ResultHeader header(const JsonNode& root) {
     scene.fail("holds too many primitives");
   if (scene.has("left_out")) header.left_out = left_out(scene.member("left_out"));
   const JsonNode query = root.member("query");
-  header.view = view(query);
+  const std::string& kind = query.member("kind").text();
+  if (kind == "segment") {
+    header.segments = segments(query);
+    header.view = header.segments->first_view();
+  } else if (kind == "point") {
+    header.view = view(query);
+  } else {
+    query.member("kind").fail("is neither \"point\" nor \"segment\"");
+  }
   for (const auto& [key, value] : query.raw().items()) {
     if (!is_view_key(key)) header.options[key] = query.member(key).text();
   }
@@ -132,6 +164,19 @@ SubdivisionCell cell(const JsonNode& node, const ResultHeader& header) {
   cell.area_rounded = node.member("area_rounded").number();
   cell.visible = ascending_ids(node.member("visible"), header.triangles + header.spheres);
   return cell;
+}
+
+/// One for each visible primitive, in id order.
+std::vector<Seen> seen(const JsonNode& node, const VisibleSet& set) {
+  const std::vector<PrimitiveId> visible = set.with(Status::visible);
+  const std::vector<JsonNode> items = node.items(visible.size());
+  std::vector<Seen> result;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    if (items[k].member("id").natural() != visible[k])
+      items[k].member("id").fail(fmt::format("is not {}, the next visible id", visible[k]));
+    result.push_back({visible[k], items[k].member("pixels").natural(), items[k].member("length").number()});
+  }
+  return result;
 }
 
 SamplingStats sampling(const JsonNode& node) {
@@ -163,6 +208,8 @@ QueryStats stats(const JsonNode& node) {
   stats.subtractions = node.member("subtractions").natural();
   if (node.has("peak_bytes")) stats.peak_bytes = node.member("peak_bytes").natural();
   for (int p = 0; p < predicate_count; ++p) {
+    // A predicate that did not exist when the file was written decided nothing.
+    if (!node.member("signs").has(name(static_cast<Predicate>(p)))) continue;
     const JsonNode row = node.member("signs").member(name(static_cast<Predicate>(p)));
     for (int t = 0; t < tier_count; ++t) {
       stats.signs.at(static_cast<Predicate>(p), static_cast<Tier>(t)) =
@@ -243,6 +290,12 @@ ResultFile read_result(const std::filesystem::path& file) {
                             most_primitives));
   }
   result.set = visible_set(root, result.header);
+  if (!result.header.segments) return result;
+  result.boundary = ascending_ids(root.member("boundary"), primitives);
+  for (const PrimitiveId id : result.boundary)
+    if (result.set.status[id] != Status::visible)
+      root.member("boundary").fail(fmt::format("holds id {}, which is not visible", id));
+  if (root.has("seen")) result.seen = seen(root.member("seen"), result.set);
   return result;
 }
 

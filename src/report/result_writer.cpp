@@ -45,6 +45,10 @@ Json json(const Witness& witness) {
       {"id", witness.primitive}, {"origin", json(witness.origin)}, {"direction", json(witness.direction)}};
 }
 
+Json json(const Seen& seen) {
+  return {{"id", seen.primitive}, {"pixels", seen.pixels}, {"length", finite(seen.length)}};
+}
+
 Json json(const SubdivisionCell& cell) {
   Json corners = Json::array();
   for (const Vec3d& corner : cell.corners) corners.push_back({finite(corner.x), finite(corner.y)});
@@ -66,16 +70,39 @@ Json scene_json(const ResultHeader& header) {
   return scene;
 }
 
-Json query_json(const ResultHeader& header) {
-  const PointView& view = header.view;
+namespace {
+
+Json json(const std::vector<Frame>& frames) {
+  Json list = Json::array();
+  for (const Frame& frame : frames) list.push_back(json(frame));
+  return list;
+}
+
+Json point_json(const PointView& view) {
   if (view.frames.empty()) throw Error(Error::Code::internal, "result file", "a view without frames");
   Json query = {{"kind", "point"}, {"projection", name(view.projection)}, {"eye", json(view.eye)}};
   if (view.projection == Projection::omni) {
-    query["frames"] = Json::array();
-    for (const Frame& frame : view.frames) query["frames"].push_back(json(frame));
+    query["frames"] = json(view.frames);
   } else {
     query.update(json(view.frames.front()));
   }
+  return query;
+}
+
+Json segment_json(const SegmentQuery& segments) {
+  Json paths = Json::array();
+  for (const SegmentQuery::Path& p : segments.paths)
+    paths.push_back({{"from", json(p.from)}, {"to", json(p.to)}});
+  return {{"kind", "segment"},
+          {"segments", std::move(paths)},
+          {"frames", json(segments.frames)},
+          {"pixels", {segments.pixels.width, segments.pixels.height}}};
+}
+
+}  // namespace
+
+Json query_json(const ResultHeader& header) {
+  Json query = header.segments ? segment_json(*header.segments) : point_json(header.view);
   for (const auto& [option, value] : header.options) {
     if (is_view_key(option)) throw Error(Error::Code::internal, "result file", "option named " + option);
     query[option] = value;
@@ -173,6 +200,8 @@ void write_result(const ResultFile& result, std::ostream& out) {
   write_member(out, "eye_on_primitive", set.eye_on_primitive);
   write_id_array(out, "visible", visible);
   write_id_array(out, "undecided", undecided);
+  if (header.segments) write_id_array(out, "boundary", result.boundary);
+  write_items(out, "seen", result.seen);
   write_items(out, "witnesses", set.witnesses);
   write_items(out, "subdivision", set.subdivision);
   write_member(out, "stats", json(set.stats));

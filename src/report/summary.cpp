@@ -86,6 +86,14 @@ std::string query_text(const PointView& view) {
                      text(view.eye), text(frame.forward), w.x0, w.x1, w.y0, w.y1);
 }
 
+std::string query_text(const SegmentQuery& segments) {
+  const std::size_t n = segments.frames.size(), paths = segments.paths.size();
+  return fmt::format("segment from {} to {}{}, {} frame{} of {}x{} pixels", text(segments.paths.front().from),
+                     text(segments.paths.front().to),
+                     paths == 1 ? "" : fmt::format(" and {} more", paths - 1), n, n == 1 ? "" : "s",
+                     segments.pixels.width, segments.pixels.height);
+}
+
 std::string summary(const ResultFile& result) {
   const ResultHeader& header = result.header;
   const VisibleSet& set = result.set;
@@ -101,9 +109,11 @@ std::string summary(const ResultFile& result) {
     fmt::format_to(out, "left out   {} invalid primitives\n", header.left_out.size());
   }
   fmt::format_to(out, "hash       {}\n", header.scene_hash);
-  fmt::format_to(out, "query      {}\n", query_text(header.view));
+  fmt::format_to(out, "query      {}\n",
+                 header.segments ? query_text(*header.segments) : query_text(header.view));
   fmt::format_to(out, "options    {}\n", options_text(header.options));
   fmt::format_to(out, "visible    {} ({:.4g} %)\n", visible, percent(visible, total));
+  if (header.segments) fmt::format_to(out, "boundary   {} of them\n", result.boundary.size());
   fmt::format_to(out, "hidden     {}\n", total - visible - undecided);
   fmt::format_to(out, "undecided  {}\n", undecided);
   fmt::format_to(out, "guarantee  {}, answers {}{}\n", name(set.guarantee), set.answers,

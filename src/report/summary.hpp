@@ -15,6 +15,9 @@ std::string summary(const ResultFile& result);
 /// "pinhole from 0,1.8,0 along 1,0,0, window ...".
 std::string query_text(const PointView& view);
 
+/// "segment from 0,1.8,0 to 5,1.8,0, 6 frames of 800x800 pixels".
+std::string query_text(const SegmentQuery& segments);
+
 /// The counts of all predicates, by tier.
 std::array<std::uint64_t, tier_count> by_tier(const SignCounts& signs);
 

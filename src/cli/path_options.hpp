@@ -1,0 +1,34 @@
+#pragma once
+// The options that say along which segments a query looks, and through which frames.
+
+#include <string>
+
+#include "provis/result_file.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace provis {
+
+struct PathOptions {
+  static constexpr const char* group = "Where from, where to";  ///< in --help
+
+  std::string from, to, rect;
+  std::string faces, dir, look_at, right, up, forward, window, fovy, size, runs, seed;
+
+  void add_to(CLI::App& command);
+
+  /// Throws:     Error::usage naming the option
+  SegmentQuery query() const;
+
+ private:
+  std::vector<SegmentQuery::Path> paths() const;
+  std::vector<Frame> frames(const Vec3d& eye) const;
+  bool pinhole() const;
+};
+
+/// Six faces of a cube, turned by a random rotation: float64 vectors that are a function of seed and run.
+std::vector<Frame> turned_cube(std::uint64_t seed, std::uint64_t run);
+
+}  // namespace provis
