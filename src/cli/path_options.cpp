@@ -97,15 +97,13 @@ std::vector<SegmentQuery::Path> PathOptions::paths() const {
   return {{parse_vec3("--from", from), parse_vec3("--to", to)}};
 }
 
-std::vector<Frame> PathOptions::frames(const Vec3d& eye) const {
-  if (!seed.empty() && runs.empty()) refuse("--seed", "goes with --runs");
+std::vector<Frame> PathOptions::frames(const Vec3d& eye, std::uint64_t seed) const {
   if (!pinhole()) {
     if (runs.empty()) return omni(eye).frames;
     const std::uint64_t n = parse_whole("--runs", runs, 1, most_runs);
-    const std::uint64_t s = seed.empty() ? 1 : parse_whole("--seed", seed, 0, ~std::uint64_t{0});
     std::vector<Frame> all;
     for (std::uint64_t k = 0; k < n; ++k) {
-      const std::vector<Frame> cube = turned_cube(s, k);
+      const std::vector<Frame> cube = turned_cube(seed, k);
       all.insert(all.end(), cube.begin(), cube.end());
     }
     return all;
@@ -127,10 +125,10 @@ std::vector<Frame> PathOptions::frames(const Vec3d& eye) const {
   return build_view(request, "--").frames;
 }
 
-SegmentQuery PathOptions::query() const {
+SegmentQuery PathOptions::query(std::uint64_t seed) const {
   SegmentQuery q;
   q.paths = paths();
-  q.frames = frames(q.paths.front().from);
+  q.frames = frames(q.paths.front().from, seed);
   q.pixels = pinhole() ? PixelGrid{} : PixelGrid{800, 800};
   if (!size.empty()) {
     const auto [width, height] = parse_size("--size", size);
@@ -161,7 +159,6 @@ void PathOptions::add_to(CLI::App& command) {
   add("--runs", runs, "K",
       "Look through K cubes, 1 to 10000, each turned at random, and unite what they see [one cube along the "
       "axes]");
-  add("--seed", seed, "N", "With --runs: which random turns; the result records their vectors [1]");
   add("--dir", dir, "x,y,z", "A camera: its direction of view, of any length but 0");
   add("--look-at", look_at, "x,y,z",
       "Instead of --dir: a point to look at from the start of the (first) segment, in scene units");

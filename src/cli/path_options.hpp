@@ -15,16 +15,18 @@ struct PathOptions {
   static constexpr const char* group = "Where from, where to";  ///< in --help
 
   std::string from, to, rect;
-  std::string faces, dir, look_at, right, up, forward, window, fovy, size, runs, seed;
+  std::string faces, dir, look_at, right, up, forward, window, fovy, size, runs;
 
   void add_to(CLI::App& command);
 
+  /// seed: of --runs
+  ///
   /// Throws:     Error::usage naming the option
-  SegmentQuery query() const;
+  SegmentQuery query(std::uint64_t seed) const;
 
  private:
   std::vector<SegmentQuery::Path> paths() const;
-  std::vector<Frame> frames(const Vec3d& eye) const;
+  std::vector<Frame> frames(const Vec3d& eye, std::uint64_t seed) const;
   bool pinhole() const;
 };
 

@@ -91,7 +91,7 @@ void SceneOptions::validate() const {
   if (time.empty() && !animation.empty()) {
     throw Error(Error::Code::usage, "--animation", "has a meaning only together with --time");
   }
-  if (perturb.empty() && !seed.empty()) {
+  if (perturb.empty() && !seed.empty() && !seed_has_use) {
     throw Error(Error::Code::usage, "--seed", "has a meaning only together with --perturb");
   }
 }

@@ -25,6 +25,7 @@ struct SceneOptions {
   std::string scene, time, animation, radius;
   bool skip_invalid = false;
   std::string perturb, seed;
+  bool seed_has_use = false;  ///< --seed also means something to the command, without --perturb
 
   /// Adds SCENE and the options of these names.
   void add_to(CLI::App& command);
@@ -33,6 +34,9 @@ struct SceneOptions {
   void validate() const;
 
   Scene load(Run& run) const;
+
+  /// 0 where none was given.
+  std::uint64_t seed_number() const;
 
   /// What a result records of them, numbers in a form that reads back bit for bit; perturb "0" where the
   /// scene is as the file has it. scene, time, animation, radius and skip_invalid are there only if they were
@@ -46,7 +50,6 @@ struct SceneOptions {
  private:
   LoadOptions load_options() const;
   double delta() const;
-  std::uint64_t seed_number() const;
 };
 
 /// Says on standard error what SceneOptions::skip_invalid left out, and where the first few stood.

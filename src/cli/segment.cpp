@@ -146,12 +146,14 @@ VisibleSet whole_objects(const Scene& scene, const VisibleSet& set) {
 }
 
 void SegmentCommand::run(Run& run) const {
-  source.validate();
+  SceneOptions stated = source;
+  stated.seed_has_use = !path.runs.empty();
+  stated.validate();
   require_one_standard_output();
   if (granularity == "object" && ids.empty())
     throw Error(Error::Code::usage, "--granularity", "says which ids --ids writes: give it too");
   run.context.threads = static_cast<int>(parse_whole("--threads", threads, 0, most_threads));
-  const SegmentQuery where = path.query();
+  const SegmentQuery where = path.query(source.seed_number());
   std::array<std::optional<Output>, 4> files;
   for (std::size_t k = 0; k < files.size(); ++k)
     if (!outputs()[k].empty()) files[k].emplace(outputs()[k]);
