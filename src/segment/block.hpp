@@ -62,18 +62,20 @@ class Block {
   /// The facet of a triangle, made when it is first asked for.
   std::uint32_t facet(PrimitiveId id);
 
-  /// Adds a facet at those of the pixels that hidden(index) does not except; what is see-through waits until
-  /// all occluders are there.
-  template <class Hidden>
-  void add(std::uint32_t facet, const PixelRect& pixels, const Hidden& hidden) {
+  /// Adds a facet at some pixels, but for what the filter knows to be hidden; what is see-through waits until
+  /// all occluders are there. The filter is asked whether the facet `hidden(k)` at pixel k, whether a
+  /// `span` of it is, and told what `changed`.
+  template <class Filter>
+  void add(std::uint32_t facet, const PixelRect& pixels, Filter& filter) {
     if (facets()[facet].occludes) {
-      add_now<true>(facet, pixels, hidden);
+      add_now<true>(facet, pixels, filter);
     } else {
       waiting_.emplace_back(facet, pixels);
     }
   }
   void add(std::uint32_t facet, const PixelRect& pixels) {
-    add(facet, pixels, [](std::size_t) { return false; });
+    NoFilter none;
+    add(facet, pixels, none);
   }
 
   bool over_budget() const { return task_->memory_bytes > 0 && bytes_ > budget() && divisible(); }
@@ -98,6 +100,12 @@ class Block {
     std::uint32_t first = 0, count = 0;
   };
 
+  struct NoFilter {
+    bool hidden(std::size_t) const { return false; }
+    bool hidden(std::size_t, const Span&) const { return false; }
+    void changed(std::size_t) const {}
+  };
+
   template <class Feed>
   void resolve(const TimeRange& range, const Feed& feed);
   /// A few pieces per pixel are always allowed: parts without end would save nothing.
@@ -105,8 +113,8 @@ class Block {
     return std::max<std::uint64_t>(task_->memory_bytes, 6 * centres_.size() * sizeof(Piece));
   }
   bool divisible() const { return range_.end - range_.begin > 0x1p-12; }
-  template <bool occludes, class Hidden>
-  void add_now(std::uint32_t facet, const PixelRect& pixels, const Hidden& hidden);
+  template <bool occludes, class Filter>
+  void add_now(std::uint32_t facet, const PixelRect& pixels, Filter& filter);
   void flatten();
   void collect(const Piece& piece);
   void report(BlockOutcome& outcome);
@@ -173,7 +181,8 @@ void Block<A>::resolve(const TimeRange& range, const Feed& feed) {
   feed(range);
   for (const auto& [facet, pixels] : waiting_) {
     if (over_budget()) break;
-    add_now<false>(facet, pixels, [](std::size_t) { return false; });
+    NoFilter none;
+    add_now<false>(facet, pixels, none);
   }
   if (!over_budget()) {
     flatten();
@@ -188,23 +197,24 @@ void Block<A>::resolve(const TimeRange& range, const Feed& feed) {
 }
 
 template <Arithmetic A>
-template <bool occludes, class Hidden>
-void Block<A>::add_now(std::uint32_t facet, const PixelRect& pixels, const Hidden& hidden) {
+template <bool occludes, class Filter>
+void Block<A>::add_now(std::uint32_t facet, const PixelRect& pixels, Filter& filter) {
   for (int row = pixels.row; row < pixels.row + pixels.height; ++row) {
     std::size_t k = index(pixels.column, row);
     for (int column = pixels.column; column < pixels.column + pixels.width; ++column, ++k) {
-      if (hidden(k)) continue;
+      if (filter.hidden(k)) continue;
       const Pixel at{column, row};
       const std::optional<Span> span = events_.span(at, centres_[k], facet, range_);
-      if (!span) continue;
-      const std::size_t before =
-          envelopes_[k].pieces().size() * sizeof(Piece) + scratch_.also.size() * sizeof(Also);
-      if constexpr (occludes) {
-        envelopes_[k].add_occluder(events_, at, *span, scratch_);
-      } else {
-        envelopes_[k].add_see_through(events_, at, *span, scratch_);
-      }
-      bytes_ += envelopes_[k].pieces().size() * sizeof(Piece) + scratch_.also.size() * sizeof(Also) - before;
+      if (!span || filter.hidden(k, *span)) continue;
+      const auto bytes = [&] {
+        return envelopes_[k].pieces().size() * sizeof(Piece) + scratch_.also.size() * sizeof(Also);
+      };
+      const std::size_t before = bytes();
+      const bool changed = occludes ? envelopes_[k].add_occluder(events_, at, *span, scratch_)
+                                    : envelopes_[k].add_see_through(events_, at, *span, scratch_);
+      if (!changed) continue;
+      bytes_ += bytes() - before;
+      filter.changed(k);
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What one pixel sees along the path: the lower envelope of line segments over time.
 
+#include <algorithm>
 #include <vector>
 
 #include "src/segment/events.hpp"
@@ -42,16 +43,17 @@ class Envelope {
     return piece + 1 < pieces_.size() ? pieces_[piece + 1].begin : end_;
   }
 
-  /// Adds an occluder where it is nearest. All occluders come before anything see-through.
+  /// Adds an occluder where it is nearest, and says whether it is anywhere. All occluders come before
+  /// anything see-through.
   template <Arithmetic A>
-  void add_occluder(Events<A>& events, const Pixel& at, const Span& span, EnvelopeScratch& scratch) {
-    add<A, true>(events, at, span, scratch);
+  bool add_occluder(Events<A>& events, const Pixel& at, const Span& span, EnvelopeScratch& scratch) {
+    return add<A, true>(events, at, span, scratch);
   }
 
   /// Adds what occludes nothing where no occluder is nearer.
   template <Arithmetic A>
-  void add_see_through(Events<A>& events, const Pixel& at, const Span& span, EnvelopeScratch& scratch) {
-    add<A, false>(events, at, span, scratch);
+  bool add_see_through(Events<A>& events, const Pixel& at, const Span& span, EnvelopeScratch& scratch) {
+    return add<A, false>(events, at, span, scratch);
   }
 
  private:
@@ -63,7 +65,7 @@ class Envelope {
   };
 
   template <Arithmetic A, bool occludes>
-  void add(Events<A>& events, const Pixel& at, const Span& span, EnvelopeScratch& scratch);
+  bool add(Events<A>& events, const Pixel& at, const Span& span, EnvelopeScratch& scratch);
   template <Arithmetic A>
   static Verdict judge(Events<A>& events, const Pixel& at, const Shown& shown, const Piece& piece,
                        const Event& begin, const Event& end);
@@ -111,11 +113,11 @@ inline void Envelope::push(std::vector<Piece>& pieces, const Event& begin, const
 }
 
 template <Arithmetic A, bool occludes>
-void Envelope::add(Events<A>& events, const Pixel& at, const Span& span, EnvelopeScratch& scratch) {
+bool Envelope::add(Events<A>& events, const Pixel& at, const Span& span, EnvelopeScratch& scratch) {
   const std::size_t first = first_overlap(events, at, span.begin);
   bool changed = false;
-  std::vector<Piece>& next = scratch.next;
-  std::size_t k = first;
+  std::vector<Piece>& next = scratch.next;  // what takes the place of pieces kept to k
+  std::size_t k = first, kept = first;
   for (; k < pieces_.size(); ++k) {
     const Piece& piece = pieces_[k];
     if (k > first && events.compare(at, piece.begin, span.end) != Sign::negative) break;
@@ -129,7 +131,8 @@ void Envelope::add(Events<A>& events, const Pixel& at, const Span& span, Envelop
       continue;
     }
     if (!changed) {
-      next.assign(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(k));
+      next.clear();
+      kept = k;
       changed = true;
     }
     if (!from_begin || !v.whole_begin) push(next, piece.begin, piece.front, piece.also);
@@ -141,9 +144,18 @@ void Envelope::add(Events<A>& events, const Pixel& at, const Span& span, Envelop
     }
     if (!to_end || !v.whole_end) push(next, v.end, piece.front, piece.also);
   }
-  if (!changed) return;
-  for (; k < pieces_.size(); ++k) push(next, pieces_[k].begin, pieces_[k].front, pieces_[k].also);
-  pieces_.swap(next);
+  if (!changed) return false;
+  // No piece beside those replaced shows this facet, so nothing there becomes one with its neighbour.
+  const auto begin = pieces_.begin() + static_cast<std::ptrdiff_t>(kept);
+  const std::size_t common = std::min(next.size(), k - kept);
+  const auto split = next.begin() + static_cast<std::ptrdiff_t>(common);
+  const auto end = std::copy(next.begin(), split, begin);
+  if (common < next.size()) {
+    pieces_.insert(end, split, next.end());
+  } else {
+    pieces_.erase(end, begin + static_cast<std::ptrdiff_t>(k - kept));
+  }
+  return true;
 }
 
 }  // namespace provis

@@ -22,6 +22,17 @@ struct Entry {
   }
 };
 
+/// What a block need not look at, of one triangle.
+struct Filter {
+  Hiding& hiding;
+  double nearest;
+  PartRange parts;
+
+  bool hidden(std::size_t pixel) const { return hiding.hides_at(pixel, nearest, parts); }
+  bool hidden(std::size_t pixel, const Span& span) const { return hiding.hides_at(pixel, span); }
+  void changed(std::size_t pixel) { hiding.changed(pixel); }
+};
+
 /// One visit of the tree for one block.
 template <Arithmetic A>
 class Visit {
@@ -74,7 +85,8 @@ class Visit {
     const PixelRect pixels =
         task_.projection.pixels(a, b, c, {frustum_.time(parts.first), frustum_.time(parts.last + 1)}, area_);
     if (pixels.width == 0) return;
-    block_.add(block_.facet(t), pixels, [&](std::size_t k) { return hiding_.hides_at(k, nearest, parts); });
+    Filter filter{hiding_, nearest, parts};
+    block_.add(block_.facet(t), pixels, filter);
     ++added_;
   }
 

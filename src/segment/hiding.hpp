@@ -25,12 +25,18 @@ class Hiding {
     return beyond(pixels_[pixel], nearest, parts);
   }
 
+  /// Whether a facet is hidden at a pixel wherever it is hit.
+  bool hides_at(std::size_t pixel, const Span& span) const;
+
+  void changed(std::size_t pixel) { changed_[pixel] = 1; }
+
   /// Takes from the envelopes what they hide by now.
   template <Arithmetic A>
   void refresh(const Block<A>& block) {
     block_.fill(-HUGE_VAL);
     for (std::size_t k = 0; k < pixels_.size(); ++k) {
-      bound(block.envelope(k), pixels_[k]);
+      if (changed_[k]) bound(block.envelope(k), pixels_[k]);
+      changed_[k] = 0;
       for (std::size_t p = 0; p < block_.size(); ++p) block_[p] = std::max(block_[p], pixels_[k][p]);
     }
   }
@@ -45,12 +51,18 @@ class Hiding {
   }
 
   void bound(const Envelope& envelope, Bounds& bounds) const;
+  /// Bounds on the product of a hit with the row of distance.
+  double farthest(const Shown& s, double t) const;
+  double nearest(const Shown& s, double t) const;
+  int part_of(double t) const;
 
   const Frustum& frustum_;
   double viewpoint_at_zero_, viewpoint_slope_;  ///< product of the viewpoint with the row of distance
   double determinant_, skew_, margin_;
+  double parts_per_time_;
   Bounds block_;
   std::vector<Bounds> pixels_;
+  std::vector<std::uint8_t> changed_;  ///< since the last refresh
 };
 
 }  // namespace provis
