@@ -68,15 +68,17 @@ void run_draw(const DrawOptions& options, Run& run) {
 }  // namespace
 
 Action add_draw(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("draw", "Draw a result of 'provis point' or 'provis segment' as PNG: the view, or from above");
+  CLI::App* command = program.add_subcommand(
+      "draw", "Draw a result of 'provis point' or 'provis segment' as PNG: the view, or from above");
   const auto options = std::make_shared<DrawOptions>();
   command
       ->add_option("SCENE", options->scene,
                    "The scene file that was asked about; how it was loaded stands in the result")
       ->required()
       ->type_name("FILE");
-  command->add_option("RESULT", options->result, "JSON file written with --out; of segments the first viewpoint is drawn")
+  command
+      ->add_option("RESULT", options->result,
+                   "JSON file written with --out; of segments the first viewpoint is drawn")
       ->required()
       ->type_name("FILE");
   command

@@ -17,10 +17,10 @@ std::uint32_t Block<A>::facet(PrimitiveId id) {
 template <Arithmetic A>
 void Block<A>::collect(const Piece& piece) {
   collected_.clear();
-  if (piece.front.facet != no_facet) collected_.push_back({piece.front.facet, piece.front.on_edge});
+  if (piece.front.facet != no_facet) collected_.push_back({piece.front.facet, piece.front.on_edge, false});
   if (piece.also == no_more) return;
   for (std::uint32_t a = piece.also; a != no_more; a = scratch_.also[a].next)
-    collected_.push_back({scratch_.also[a].facet, scratch_.also[a].on_edge});
+    collected_.push_back({scratch_.also[a].facet, scratch_.also[a].on_edge, scratch_.also[a].before_front});
   std::sort(collected_.begin(), collected_.end(),
             [&](const Member& a, const Member& b) { return facets()[a.facet].id < facets()[b.facet].id; });
 }
@@ -81,7 +81,7 @@ void Block<A>::report_pixel(std::size_t k, std::vector<std::uint32_t>& last_seen
 /// there and hides lies in its plane. What is hit at single moments does not matter.
 template <Arithmetic A>
 bool Block<A>::inner(const Sighting& s, const Member& m) {
-  if (m.on_edge) return false;
+  if (m.on_edge || m.before_front) return !m.on_edge;
   for (std::uint32_t k = s.first; k < s.first + s.count; ++k) {
     const std::uint32_t other = members_[k].facet;
     if (other != m.facet && facets()[other].occludes && !events_.coplanar(other, m.facet)) return false;

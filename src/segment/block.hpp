@@ -67,6 +67,7 @@ class Block {
   /// `span` of it is, and told what `changed`.
   template <class Filter>
   void add(std::uint32_t facet, const PixelRect& pixels, Filter& filter) {
+    if (misses(facets()[facet], window(pixels), range_.begin, range_.end)) return;
     if (facets()[facet].occludes) {
       add_now<true>(facet, pixels, filter);
     } else {
@@ -92,6 +93,7 @@ class Block {
   struct Member {
     std::uint32_t facet;
     bool on_edge;
+    bool before_front;  ///< nearer than the occluders among the members
     friend bool operator==(const Member&, const Member&) = default;
   };
   /// From its begin to the next one's a pixel shows members_[first .. first + count).
@@ -127,6 +129,12 @@ class Block {
   ExactTime exact(const Pixel& at, const Event& e) const {
     if constexpr (A == Arithmetic::doubles) return std::isfinite(e.t) ? ExactTime(e.t) : ExactTime(0);
     return exact_root(events_.path(), at, events_.motion(e));
+  }
+  /// From the first centre to the last.
+  Window window(const PixelRect& r) const {
+    const Centre &first = centres_[index(r.column, r.row)],
+                 &last = centres_[index(r.column + r.width - 1, r.row + r.height - 1)];
+    return {first.x, last.x, last.y, first.y};
   }
   Pixel pixel(std::size_t k) const {
     const auto w = static_cast<std::size_t>(task_->area.width);

@@ -22,6 +22,7 @@ struct Piece {
 struct Also {
   std::uint32_t facet = no_facet;
   bool on_edge = false;
+  bool before_front = false;  ///< nearer than the occluder, if there is one
   std::uint32_t next = no_more;
 };
 
@@ -139,7 +140,7 @@ bool Envelope::add(Events<A>& events, const Pixel& at, const Span& span, Envelop
     if (occludes && !v.tie) {
       push(next, v.begin, span.shown, no_more);
     } else {
-      scratch.also.push_back({span.shown.facet, span.shown.on_edge, piece.also});
+      scratch.also.push_back({span.shown.facet, span.shown.on_edge, !v.tie, piece.also});
       push(next, v.begin, piece.front, static_cast<std::uint32_t>(scratch.also.size() - 1));
     }
     if (!to_end || !v.whole_end) push(next, v.end, piece.front, piece.also);

@@ -7,7 +7,7 @@
 namespace provis {
 namespace {
 
-constexpr double slack = 1 + 0x1p-20;
+constexpr double bound_slack = 1 + 0x1p-20;
 
 /// How well an approximation has to be known before exact numbers are asked for a better one.
 constexpr double fine = 0x1p-40;
@@ -18,7 +18,7 @@ struct Approximation {
 
 Approximation approximation(double inf, double sup) {
   const double middle = inf / 2 + sup / 2;
-  return {middle, std::max(sup - middle, middle - inf) * slack + std::fabs(middle) * 4 * unit_roundoff};
+  return {middle, std::max(sup - middle, middle - inf) * bound_slack + std::fabs(middle) * 4 * unit_roundoff};
 }
 
 Approximation quotient(const Interval& p, const Interval& q) {
@@ -216,16 +216,8 @@ void Events<A>::set_depth(const Pixel& at, Shown& s) const {
 }
 
 template <Arithmetic A>
-Sign Events<A>::compare(const Pixel& at, const Event& a, const Event& b) {
-  const double d = a.t - b.t;
-  if (a.kind == EventKind::time && b.kind == EventKind::time) return sign_of(d);
-  if constexpr (filtered) {
-    const double unsure = (a.error + b.error) * slack;
-    if (d > unsure || d < -unsure) {
-      signs_.count(Predicate::event_order, Tier::filter);
-      return sign_of(d);
-    }
-  }
+Sign Events<A>::slow_compare(const Pixel& at, const Event& a, const Event& b) {
+  if (a.kind == EventKind::time && b.kind == EventKind::time) return sign_of(a.t - b.t);
   if (const auto s = known_order(a, b)) {
     signs_.count(Predicate::event_order, Tier::structure);
     return *s;
@@ -234,16 +226,7 @@ Sign Events<A>::compare(const Pixel& at, const Event& a, const Event& b) {
 }
 
 template <Arithmetic A>
-Sign Events<A>::compare_depth(const Pixel& at, const Shown& a, const Shown& b, const Event& when) {
-  if constexpr (filtered) {
-    const double d = a.depth(when.t) - b.depth(when.t);
-    const double unsure =
-        (a.depth_error + b.depth_error + std::fabs(a.depth_slope - b.depth_slope) * when.error) * slack;
-    if (d > unsure || d < -unsure) {
-      signs_.count(Predicate::event_order, Tier::filter);
-      return sign_of(d);
-    }
-  }
+Sign Events<A>::slow_compare_depth(const Pixel& at, const Shown& a, const Shown& b, const Event& when) {
   if (a.facet == b.facet || meet_at(when, a.facet, b.facet)) {
     signs_.count(Predicate::event_order, Tier::structure);
     return Sign::zero;

@@ -27,10 +27,26 @@ class Events {
                            const TimeRange& range);
 
   /// The sign of a - b.
-  Sign compare(const Pixel& at, const Event& a, const Event& b);
+  Sign compare(const Pixel& at, const Event& a, const Event& b) {
+    const double d = a.t - b.t, unsure = (a.error + b.error) * slack;
+    if (filtered && (d > unsure || d < -unsure)) {
+      signs_.count(Predicate::event_order, Tier::filter);
+      return sign_of(d);
+    }
+    return slow_compare(at, a, b);
+  }
 
   /// The sign of a's distance less b's at the event.
-  Sign compare_depth(const Pixel& at, const Shown& a, const Shown& b, const Event& when);
+  Sign compare_depth(const Pixel& at, const Shown& a, const Shown& b, const Event& when) {
+    const double d = a.depth(when.t) - b.depth(when.t);
+    const double unsure =
+        (a.depth_error + b.depth_error + std::fabs(a.depth_slope - b.depth_slope) * when.error) * slack;
+    if (filtered && (d > unsure || d < -unsure)) {
+      signs_.count(Predicate::event_order, Tier::filter);
+      return sign_of(d);
+    }
+    return slow_compare_depth(at, a, b, when);
+  }
 
   /// Where the planes of two facets cross, given that they do so at one moment, before which the sign of the
   /// first distance less the second is given.
@@ -43,6 +59,8 @@ class Events {
 
  private:
   static constexpr bool filtered = A == Arithmetic::chain || A == Arithmetic::doubles;
+  /// For the roundings of a bound itself.
+  static constexpr double slack = 1 + 0x1p-20;
   /// What a filter may doubt: nothing for plain doubles.
   static double doubt(double error) { return A == Arithmetic::doubles ? 0 : error; }
 
@@ -52,6 +70,8 @@ class Events {
   void place(const Pixel& at, Event& e) const;
   void set_depth(const Pixel& at, Shown& shown) const;
 
+  Sign slow_compare(const Pixel& at, const Event& a, const Event& b);
+  Sign slow_compare_depth(const Pixel& at, const Shown& a, const Shown& b, const Event& when);
   std::optional<Sign> known_order(const Event& a, const Event& b);
   bool meet_at(const Event& when, std::uint32_t a, std::uint32_t b);
   bool in_plane(const Vec3d& p, std::uint32_t facet);

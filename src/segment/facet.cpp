@@ -46,6 +46,22 @@ Facet make_facet(const Scene& scene, PrimitiveId id, const PathGeometry& path) {
   return f;
 }
 
+bool misses(const Facet& f, const Window& w, double begin, double end) {
+  const bool back = f.along.lowest(w) > 0;
+  if (!back && !(f.along.highest(w) < 0)) return false;
+  if (back && f.single_sided) return true;
+  for (int k = 0; k < 3; ++k) {
+    const auto outside = [&](double t) {
+      const WindowFunction& s = f.edge[k].slope;
+      const WindowFunction e = difference(f.edge[k].at_zero, {t * s.a, t * s.b, t * s.c, s.error});
+      return back != f.turned[k] ? e.highest(w) < 0 : e.lowest(w) > 0;
+    };
+    // Linear in t, and at each t in the window: negative at the corners of both means negative everywhere.
+    if (outside(begin) && outside(end)) return true;
+  }
+  return false;
+}
+
 Centre pixel_centre(const PathGeometry& path, const Pixel& at) {
   const Window& w = path.frame.window;
   const auto between = [](double from, double to, int index, int count) {

@@ -34,6 +34,10 @@ struct Facet {
 /// window's extent each way (ERRORS.md, 9).
 Facet make_facet(const Scene& scene, PrimitiveId id, const PathGeometry& path);
 
+/// Whether the facet certainly has no hit at any centre inside the window while t is in [begin, end]: it
+/// shows a side that it does not have, or all of them pass one of its edges outside.
+bool misses(const Facet& f, const Window& w, double begin, double end);
+
 /// A pixel's centre, each coordinate off by at most 4 u of the window's extent.
 struct Centre {
   double x, y;

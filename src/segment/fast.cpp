@@ -54,9 +54,9 @@ class Visit {
       if (hiding_.hides(e.nearest, e.parts)) continue;
       if (e.level == 0) {
         tree.for_triangles(e.cluster, [&](PrimitiveId t) { look_at(t); });
-        if (added_ >= refresh_at) {
+        if (added_ >= next_refresh_) {
           hiding_.refresh(block_);
-          added_ = 0;
+          next_refresh_ = added_ + std::max(least_between, added_ / 6);
         }
         continue;
       }
@@ -66,7 +66,8 @@ class Visit {
   }
 
  private:
-  static constexpr int refresh_at = 16;
+  /// Facets that are added before bounds are taken again: more of them once there are many.
+  static constexpr int least_between = 16;
 
   void enter(std::uint32_t level, std::uint32_t cluster) {
     const ClusterBox& box = task_.tree->box(level, cluster);
@@ -96,7 +97,7 @@ class Visit {
   Frustum frustum_;
   Hiding hiding_;
   std::priority_queue<Entry> queue_;
-  int added_ = 0;
+  int added_ = 0, next_refresh_ = least_between;
 };
 
 }  // namespace
