@@ -10,7 +10,6 @@
 #include "tests/scene/files.hpp"
 
 using namespace provis;
-using namespace provis::test;
 using Json = nlohmann::json;
 
 namespace {
@@ -75,10 +74,11 @@ TEST_CASE("a result along segments obeys the schema, a damaged one does not") {
       Json::parse(read_text(std::string(PROVIS_SOURCE_DIR) + "/src/report/visible-set.schema.json"));
   const Json good = Json::parse(written(segment_result()));
   CHECK(schema_violations(schema, good) == std::vector<std::string>{});
-  for (const auto& [pointer, value] : {std::pair<const char*, Json>{"/query/pixels", {1}},
-                                       {"/query/segments/0/from", {1, 2}},
-                                       {"/boundary", {-1}},
-                                       {"/seen/0/pixels", "many"}}) {
+  for (const auto& [pointer, value] :
+       std::vector<std::pair<const char*, Json>>{{"/query/pixels", {1}},
+                                                 {"/query/segments/0/from", {1, 2}},
+                                                 {"/boundary", {-1}},
+                                                 {"/seen/0/pixels", "many"}}) {
     Json bad = good;
     bad[Json::json_pointer(pointer)] = value;
     INFO(pointer);

@@ -6,6 +6,7 @@
 
 #include "tests/segment/cases.hpp"
 #include "tests/support/environment.hpp"
+#include "tests/support/generator.hpp"
 #include "tests/support/transform.hpp"
 
 namespace provis::test {
@@ -35,6 +36,17 @@ TEST_CASE("the fast engine gives the plain engine's sets, lists and counts") {
   }
   WARN(visible << " visible, " << boundary << " of them at the boundary only");
   if (seeds(40).size() > 100) CHECK((boundary > 0 && boundary < visible));
+}
+
+TEST_CASE("the engines agree on soups of hundreds of triangles and thousands of pixels") {
+  for (const std::uint64_t seed : seeds(1)) {
+    const Case c = random_soup(seed, 600);
+    INFO("soup " << seed);
+    const Scene scene(c.arrays);
+    const SegmentView view{c.view.eye, c.view.eye + Vec3d{0.5, -0.25, 1}, c.view.frames, {50, 40}};
+    REQUIRE(answer(scene, view, with(SegmentEngine::fast)) ==
+            answer(scene, view, with(SegmentEngine::plain)));
+  }
 }
 
 TEST_CASE("exact numbers throughout give the chain's answer") {
