@@ -68,8 +68,7 @@ void run_draw(const DrawOptions& options, Run& run) {
 }  // namespace
 
 Action add_draw(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "draw", "Draw a result of 'provis point' or 'provis segment' as PNG: the view, or from above");
+  CLI::App* command = program.add_subcommand("draw", "Draw a result as PNG: the view, or from above");
   const auto options = std::make_shared<DrawOptions>();
   command
       ->add_option("SCENE", options->scene,

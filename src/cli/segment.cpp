@@ -271,8 +271,8 @@ void SegmentCommand::add_to(CLI::App& command) {
 }  // namespace
 
 Action add_segment(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "segment", "Compute which primitives are visible along a segment, at pixel centres");
+  CLI::App* command =
+      program.add_subcommand("segment", "Compute what is visible along a segment, at pixel centres");
   const auto options = std::make_shared<SegmentCommand>();
   options->add_to(*command);
   return [options](Run& run) { options->run(run); };

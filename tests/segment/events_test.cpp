@@ -10,6 +10,7 @@
 #include "src/segment/exact_event.hpp"
 #include "tests/segment/cases.hpp"
 #include "tests/support/environment.hpp"
+#include "tests/support/generator.hpp"
 #include "tests/support/random.hpp"
 
 namespace provis::test {
@@ -105,6 +106,20 @@ TEST_CASE("each tier decides what only it can") {
   // Times that differ by less than float64 can tell, and times that do not differ though nothing is small.
   const Vec3d near_a{0.1, -1, -2}, near_b{0.1, 1, -2}, far_c{0.1, -1.1, -3.3}, far_d{0.1, 1.7, -3.3};
   CHECK(tier(near_a, near_b, far_c, far_d, Sign::zero) == Tier::mpfr);
+}
+
+TEST_CASE("float64 settles nearly everything along a segment through a soup in general position") {
+  const Case c = random_soup(1, 400);
+  const SegmentView view{c.view.eye, c.view.eye + Vec3d{0.5, 0.25, 0.125}, c.view.frames, {40, 30}};
+  const SignCounts counts = visible_from_segment(Scene(c.arrays), view).set.stats.signs;
+  for (const Predicate p : {Predicate::motion, Predicate::event_order}) {
+    const std::uint64_t filter = counts.at(p, Tier::filter);
+    const std::uint64_t slow =
+        counts.at(p, Tier::interval) + counts.at(p, Tier::mpfr) + counts.at(p, Tier::exact);
+    CAPTURE(name(p), filter, slow);
+    CHECK(filter > 1000);
+    CHECK(1000 * slow <= filter);
+  }
 }
 
 TEST_CASE("what float64 says of an interval is what exact numbers say") {
