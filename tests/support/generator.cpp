@@ -13,7 +13,8 @@ const Family& any_family(Random& random) {
   return random.pick_from(random.chance(50) ? triangle_families() : solid_families());
 }
 
-/// One family, or up to three as long as the scene stays small.
+}  // namespace
+
 void build_scene(Case& c, Random& random) {
   MeshBuilder mesh(random, random.chance(60));
   const int wanted = random.pick({1, 1, 2, 3});
@@ -27,8 +28,6 @@ void build_scene(Case& c, Random& random) {
     c.name += mesh.arrays().vertices.size() == 3 * mesh.size() ? " split" : "";
   c.arrays = mesh.arrays();
 }
-
-}  // namespace
 
 Case generate(std::uint64_t seed) {
   Case c;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/support/case.hpp"
+#include "tests/support/random.hpp"
 
 namespace provis::test {
 
@@ -13,6 +14,9 @@ namespace provis::test {
 ///
 /// Guarantee: finite coordinates; windows of positive extent; linearly independent frame vectors
 Case generate(std::uint64_t seed);
+
+/// Fills c with the triangles of one family, or of up to three as long as the scene stays small.
+void build_scene(Case& c, Random& random);
 
 /// n triangles with random corners in general position, seen by a pinhole from outside or inside.
 Case random_soup(std::uint64_t seed, int n);

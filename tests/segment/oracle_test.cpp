@@ -1,0 +1,134 @@
+// The oracle against a checker of single rays that shares nothing with it, and against itself by other ways.
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "tests/support/environment.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/ray_check.hpp"
+#include "tests/support/segment_cases.hpp"
+#include "tests/support/segment_oracle.hpp"
+
+namespace provis::test {
+namespace {
+
+bool contains(const std::vector<PrimitiveId>& ids, PrimitiveId id) {
+  return std::binary_search(ids.begin(), ids.end(), id);
+}
+
+template <class Body>
+void for_pixels(const SegmentView& view, const Body& body) {
+  for (int frame = 0; frame < static_cast<int>(view.frames.size()); ++frame)
+    for (int row = 0; row < view.pixels.height; ++row)
+      for (int column = 0; column < view.pixels.width; ++column) body(Pixel{frame, column, row});
+}
+
+Dyadic dyadic(Rational value) {
+  value.canonicalize();
+  return {value.get_num().get_str(), -static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2) - 1)};
+}
+
+/// from + t (to - from) where that is three float64 numbers.
+std::optional<Vec3d> eye_at(const SegmentView& view, const Rational& t) {
+  bool exact = true;
+  const auto between = [&](double a, double b) {
+    const Rational at = a + t * (Rational(b) - a);
+    exact = exact && Rational(at.get_d()) == at;
+    return at.get_d();
+  };
+  const Vec3d eye{between(view.from.x, view.to.x), between(view.from.y, view.to.y),
+                  between(view.from.z, view.to.z)};
+  return exact ? std::optional(eye) : std::nullopt;
+}
+
+/// The ray along a pixel's centre as a witness, its direction multiplied by 4 W H.
+Witness along(const SegmentView& view, const Pixel& p, const Vec3d& eye) {
+  const Frame& f = view.frames[static_cast<std::size_t>(p.frame)];
+  const Window& w = f.window;
+  const Rational width = view.pixels.width, height = view.pixels.height;
+  const Rational x = 2 * height * (2 * width * w.x0 + (2 * p.column + 1) * (Rational(w.x1) - w.x0));
+  const Rational y = 2 * width * (2 * height * w.y1 - (2 * p.row + 1) * (Rational(w.y1) - w.y0));
+  const Rational z = 4 * width * height;
+  const auto sum = [&](double r, double u, double fw) { return dyadic(x * r + y * u + z * fw); };
+  Witness ray;
+  ray.origin = {dyadic(eye.x), dyadic(eye.y), dyadic(eye.z)};
+  ray.direction = {sum(f.right.x, f.up.x, f.forward.x), sum(f.right.y, f.up.y, f.forward.y),
+                   sum(f.right.z, f.up.z, f.forward.z)};
+  return ray;
+}
+
+}  // namespace
+
+TEST_CASE("generated segments show something and hide something, and each kind of event occurs") {
+  std::size_t visible = 0, triangles = 0, boundary = 0, sights = 0, pixels = 0;
+  for (const std::uint64_t seed : seeds(20)) {
+    const SegmentCase c = generate_segment(seed);
+    INFO(describe(c));
+    REQUIRE(c.start.arrays.triangles.size() == c.start.arrays.triangle_flags.size());
+    const SegmentAnswer answer = oracle_along(c.start.arrays, c.view());
+    triangles += c.start.arrays.triangles.size();
+    visible += answer.visible.size();
+    boundary += answer.boundary.size();
+    pixels += answer.pixels.size();
+    for (const ExactSights& p : answer.pixels) sights += p.sights.size();
+  }
+  WARN(triangles << " triangles, " << visible << " visible, " << boundary << " of them at the boundary; "
+                 << sights << " sights in " << pixels << " pixels");
+  if (seeds(20).size() < 100) return;
+  CHECK((10 * visible > triangles && 10 * visible < 9 * triangles));
+  CHECK(50 * boundary > visible);
+  CHECK(2 * sights > 3 * pixels);
+}
+
+TEST_CASE("sights fill the segment, and each shows what its rays see, whichever triangles are tried") {
+  for (const std::uint64_t seed : seeds(5)) {
+    const SegmentCase c = generate_segment(seed);
+    INFO(describe(c));
+    const SegmentOracle oracle(c.start.arrays, c.view());
+    Random random(seed);
+    for_pixels(c.view(), [&](const Pixel& p) {
+      const ExactSights all = oracle.sights(p);
+      const std::vector<Rational> events = oracle.events(p);
+      Rational at = 0;
+      for (const ExactSight& s : all.sights) {
+        REQUIRE(s.from == at);
+        REQUIRE(s.from < s.to);
+        at = s.to;
+        const Rational t = s.from + Rational(random.between(1, 62), 63) * (s.to - s.from);
+        if (std::binary_search(events.begin(), events.end(), t)) continue;
+        REQUIRE(oracle.look(p, t).visible == s.visible);
+      }
+      REQUIRE(at == 1);
+    });
+  }
+}
+
+TEST_CASE("what the oracle calls proper is what a checker of single rays accepts") {
+  std::size_t accepted = 0, refused = 0;
+  for (const std::uint64_t seed : seeds(10)) {
+    const SegmentCase c = generate_segment(seed);
+    INFO(describe(c));
+    const SegmentView view = c.view();
+    const SegmentOracle oracle(c.start.arrays, view);
+    const Rational t(1 + 2 * static_cast<int>(seed % 32), 64);
+    const std::optional<Vec3d> eye = eye_at(view, t);
+    if (!eye) continue;
+    PointView from_there{*eye, Projection::pinhole, view.frames};
+    const RayChecker checker(c.start.arrays, from_there);
+    for_pixels(view, [&](const Pixel& p) {
+      const Look look = oracle.look(p, t);
+      Witness ray = along(view, p, *eye);
+      for (PrimitiveId id = 0; id < c.start.arrays.triangles.size(); ++id) {
+        ray.primitive = id;
+        const bool holds = checker.refuse(ray).empty();
+        INFO("pixel " << p.frame << ' ' << p.column << ' ' << p.row << ", triangle " << id << ", t " << t);
+        REQUIRE(holds == contains(look.proper, id));
+        if (contains(look.visible, id)) ++(holds ? accepted : refused);
+      }
+    });
+  }
+  WARN(accepted << " rays accepted, " << refused << " refused at the boundary");
+}
+
+}  // namespace provis::test
