@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/support/environment.hpp"
+#include "tests/support/pixel_ray.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/ray_check.hpp"
 #include "tests/support/segment_cases.hpp"
@@ -15,47 +16,6 @@ namespace {
 
 bool contains(const std::vector<PrimitiveId>& ids, PrimitiveId id) {
   return std::binary_search(ids.begin(), ids.end(), id);
-}
-
-template <class Body>
-void for_pixels(const SegmentView& view, const Body& body) {
-  for (int frame = 0; frame < static_cast<int>(view.frames.size()); ++frame)
-    for (int row = 0; row < view.pixels.height; ++row)
-      for (int column = 0; column < view.pixels.width; ++column) body(Pixel{frame, column, row});
-}
-
-Dyadic dyadic(Rational value) {
-  value.canonicalize();
-  return {value.get_num().get_str(), -static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2) - 1)};
-}
-
-/// from + t (to - from) where that is three float64 numbers.
-std::optional<Vec3d> eye_at(const SegmentView& view, const Rational& t) {
-  bool exact = true;
-  const auto between = [&](double a, double b) {
-    const Rational at = a + t * (Rational(b) - a);
-    exact = exact && Rational(at.get_d()) == at;
-    return at.get_d();
-  };
-  const Vec3d eye{between(view.from.x, view.to.x), between(view.from.y, view.to.y),
-                  between(view.from.z, view.to.z)};
-  return exact ? std::optional(eye) : std::nullopt;
-}
-
-/// The ray along a pixel's centre as a witness, its direction multiplied by 4 W H.
-Witness along(const SegmentView& view, const Pixel& p, const Vec3d& eye) {
-  const Frame& f = view.frames[static_cast<std::size_t>(p.frame)];
-  const Window& w = f.window;
-  const Rational width = view.pixels.width, height = view.pixels.height;
-  const Rational x = 2 * height * (2 * width * w.x0 + (2 * p.column + 1) * (Rational(w.x1) - w.x0));
-  const Rational y = 2 * width * (2 * height * w.y1 - (2 * p.row + 1) * (Rational(w.y1) - w.y0));
-  const Rational z = 4 * width * height;
-  const auto sum = [&](double r, double u, double fw) { return dyadic(x * r + y * u + z * fw); };
-  Witness ray;
-  ray.origin = {dyadic(eye.x), dyadic(eye.y), dyadic(eye.z)};
-  ray.direction = {sum(f.right.x, f.up.x, f.forward.x), sum(f.right.y, f.up.y, f.forward.y),
-                   sum(f.right.z, f.up.z, f.forward.z)};
-  return ray;
 }
 
 }  // namespace
@@ -118,7 +78,7 @@ TEST_CASE("what the oracle calls proper is what a checker of single rays accepts
     const RayChecker checker(c.start.arrays, from_there);
     for_pixels(view, [&](const Pixel& p) {
       const Look look = oracle.look(p, t);
-      Witness ray = along(view, p, *eye);
+      Witness ray = ray_along(view, p, *eye);
       for (PrimitiveId id = 0; id < c.start.arrays.triangles.size(); ++id) {
         ray.primitive = id;
         const bool holds = checker.refuse(ray).empty();

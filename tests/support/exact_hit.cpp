@@ -49,4 +49,13 @@ std::optional<ExactHit> hit(const Surface& surface, const ExactRay& ray) {
   return ExactHit{&surface, std::move(distance), least > 0};
 }
 
+bool starts_on(const Surface& surface, const ExactRay& ray) {
+  if (dot(surface.normal, ray.weight * surface.corner[0] - ray.origin) != 0) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Integer3 &a = surface.corner[k], &b = surface.corner[(k + 1) % 3];
+    if (dot(surface.normal, cross(b - a, ray.origin - ray.weight * a)) < 0) return false;
+  }
+  return true;
+}
+
 }  // namespace provis::test

@@ -45,6 +45,9 @@ struct ExactHit {
 /// or where a culled side is met (R4).
 std::optional<ExactHit> hit(const Surface& surface, const ExactRay& ray);
 
+/// Whether the ray's origin lies on the closed triangle.
+bool starts_on(const Surface& surface, const ExactRay& ray);
+
 /// What decides a hit, as numbers whose signs matter; each is affine in the ray's origin while the weight
 /// is 1.
 struct HitNumbers {

@@ -61,12 +61,15 @@ Rational middle(const Rational& a, const Rational& b) { return (a + b) / 2; }
 }  // namespace
 
 SegmentOracle::SegmentOracle(const SceneArrays& scene, const SegmentView& view, SegmentPlant plant)
-    : view_(view), plant_(plant) {
+    : view_(view), plant_(plant), scale_(scale_of(scene, view)) {
   if (!scene.spheres.empty()) throw std::logic_error("the oracle takes no spheres");
-  const CommonScale scale = scale_of(scene, view);
-  from_ = scale(view.from);
-  to_ = scale(view.to);
-  surfaces_ = surfaces_of(scene, scale);
+  from_ = scale_(view.from);
+  to_ = scale_(view.to);
+  surfaces_ = surfaces_of(scene, scale_);
+  const auto holds = [](const Surface& s, const Integer3& p) { return dot(s.normal, p - s.corner[0]) == 0; };
+  for (const Surface& s : surfaces_) {
+    if (s.occludes && holds(s, from_) && holds(s, to_)) floors_.push_back(s);
+  }
 }
 
 SegmentOracle::Path SegmentOracle::path(const Pixel& pixel) const {
@@ -97,11 +100,23 @@ std::vector<Rational> SegmentOracle::own_events(const Surface& surface, const Pa
   return found;
 }
 
+/// Whether one of the affine numbers is against a hit at both ends, and so at all times between them.
+bool SegmentOracle::is_missed(const Surface& surface, const Path& path) const {
+  const HitNumbers at_0 = numbers(surface, path.ray(0)), at_1 = numbers(surface, path.ray(1));
+  const auto ahead = [](const HitNumbers& n) { return sgn(n.away) * sgn(n.across) > 0; };
+  if (!ahead(at_0) && !ahead(at_1)) return true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (at_0.edge[k] < 0 && at_1.edge[k] < 0) return true;
+  }
+  return false;
+}
+
 /// The surfaces that are hit for some time. All others are hit at single events at most, where R10 does not
 /// look.
 SegmentOracle::Surfaces SegmentOracle::met(const Path& path) const {
   Surfaces found;
   for (const Surface& s : surfaces_) {
+    if (is_missed(s, path)) continue;
     const std::vector<Rational> parts = in_order(own_events(s, path));
     for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
       if (!hit(s, path.ray(middle(parts[i], parts[i + 1])))) continue;
@@ -190,17 +205,44 @@ std::vector<Rational> SegmentOracle::events(const Pixel& pixel) const {
 Look SegmentOracle::look(const Pixel& pixel, const Rational& t) const {
   Surfaces all;
   for (const Surface& s : surfaces_) all.push_back(&s);
-  return look(all, path(pixel).ray(t));
+  Look found = look(all, path(pixel).ray(t));
+  mpq_div_2exp(found.nearest.get_mpq_t(), found.nearest.get_mpq_t(),
+               static_cast<mp_bitcnt_t>(scale_.exponent()));
+  return found;
+}
+
+bool SegmentOracle::on_occluder(const Rational& t) const {
+  const ExactRay from_there = path({}).ray(t);
+  return std::any_of(surfaces_.begin(), surfaces_.end(),
+                     [&](const Surface& s) { return s.occludes && starts_on(s, from_there); });
+}
+
+std::vector<Rational> SegmentOracle::borders_of(const Surface& s) const {
+  std::vector<Rational> found;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Integer3 inwards = cross(s.normal, s.corner[(k + 1) % 3] - s.corner[k]);
+    const auto side = [&](const Integer3& p) { return Integer(dot(inwards, p - s.corner[k])); };
+    if (const std::optional<Rational> t = root(side(from_), side(to_))) found.push_back(*t);
+  }
+  return found;
 }
 
 ExactSights SegmentOracle::sights(const Pixel& pixel, std::set<PrimitiveId>* proper) const {
   const Path along = path(pixel);
   const Surfaces surfaces = met(along);
-  const std::vector<Rational> borders = events(surfaces, along);
+  std::vector<Rational> borders = events(surfaces, along);
+  for (const Surface& floor : floors_) {
+    for (Rational& t : borders_of(floor)) borders.push_back(std::move(t));
+  }
+  borders = in_order(std::move(borders));
   ExactSights found{pixel.frame, pixel.column, pixel.row, {}};
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
-    Look seen = look(surfaces, along.ray(middle(borders[i], borders[i + 1])));
-    if (proper != nullptr) proper->insert(seen.proper.begin(), seen.proper.end());
+    const Rational t = middle(borders[i], borders[i + 1]);
+    const ExactRay ray = along.ray(t);
+    Look seen = look(surfaces, ray);
+    const bool grounded = std::any_of(floors_.begin(), floors_.end(),
+                                      [&](const Surface& floor) { return starts_on(floor, ray); });
+    if (proper != nullptr && !grounded) proper->insert(seen.proper.begin(), seen.proper.end());
     if (!found.sights.empty() && found.sights.back().visible == seen.visible) {
       found.sights.back().to = borders[i + 1];
     } else {
@@ -214,14 +256,10 @@ SegmentAnswer SegmentOracle::answer() const {
   SegmentAnswer answer;
   std::set<PrimitiveId> proper;
   std::map<PrimitiveId, ExactSeen> seen;
-  for (int frame = 0; frame < static_cast<int>(view_.frames.size()); ++frame) {
-    for (int row = 0; row < view_.pixels.height; ++row) {
-      for (int column = 0; column < view_.pixels.width; ++column) {
-        answer.pixels.push_back(sights({frame, column, row}, &proper));
-        count(answer.pixels.back(), seen);
-      }
-    }
-  }
+  for_pixels(view_, [&](const Pixel& pixel) {
+    answer.pixels.push_back(sights(pixel, &proper));
+    count(answer.pixels.back(), seen);
+  });
   for (auto& [id, s] : seen) {
     answer.visible.push_back(id);
     if (proper.count(id) == 0) answer.boundary.push_back(id);

@@ -8,6 +8,7 @@
 #include "provis/scene.hpp"
 #include "provis/segment.hpp"
 #include "tests/support/exact_hit.hpp"
+#include "tests/support/pixel_ray.hpp"
 
 namespace provis::test {
 
@@ -50,16 +51,12 @@ struct SegmentAnswer {
   std::vector<ExactSeen> seen;        ///< one per visible triangle, ascending
 };
 
-/// One centre to look along.
-struct Pixel {
-  int frame = 0, column = 0, row = 0;
-};
-
 /// What one ray sees.
 struct Look {
   std::vector<PrimitiveId> visible;  ///< closed hits that no occluder hides, ascending
   std::vector<PrimitiveId> proper;   ///< of these: hit inside, and each occluder as near lies in their plane
-  Rational nearest;  ///< distance of the nearest occluder, in units of the direction; 0 where there is none
+  Rational nearest;  ///< distance of the nearest occluder, in world units over a multiple of the direction;
+                     ///< the same multiple for each scene seen through a pixel. 0 where there is none
 };
 
 /// One scene and one segment, to be asked pixel by pixel.
@@ -73,8 +70,13 @@ class SegmentOracle {
   /// What is seen along the pixel's centre by a camera at t.
   Look look(const Pixel& pixel, const Rational& t) const;
 
+  /// Whether the camera lies on an occluder at t.
+  bool on_occluder(const Rational& t) const;
+
   /// The parts of [0, 1] between events, joined where neighbours show one set. What is in R10° on one of them
-  /// is added to `proper` where that is given.
+  /// is added to `proper` where that is given. R10° is to be contained in R9, and to have witnesses (R11):
+  /// both count only cameras that lie on no occluder, and so does this (R6 lets a camera see that lies on
+  /// one).
   ExactSights sights(const Pixel& pixel, std::set<PrimitiveId>* proper = nullptr) const;
 
   /// Every pixel of every frame.
@@ -90,7 +92,11 @@ class SegmentOracle {
     ExactRay ray(const Rational& t) const;
   };
 
+  /// Where the camera enters or leaves a triangle in whose plane it moves.
+  std::vector<Rational> borders_of(const Surface& floor) const;
+
   Path path(const Pixel& pixel) const;
+  bool is_missed(const Surface& surface, const Path& path) const;
   Surfaces met(const Path& path) const;
   std::vector<Rational> own_events(const Surface& surface, const Path& path) const;
   std::vector<Rational> events(const Surfaces& met, const Path& path) const;
@@ -99,8 +105,10 @@ class SegmentOracle {
 
   SegmentView view_;
   SegmentPlant plant_;
+  CommonScale scale_;
   Integer3 from_, to_;
   std::vector<Surface> surfaces_;
+  std::vector<Surface> floors_;  ///< occluders in whose plane the camera moves
 };
 
 inline SegmentAnswer oracle_along(const SceneArrays& scene, const SegmentView& view,
