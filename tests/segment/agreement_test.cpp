@@ -7,6 +7,7 @@
 
 #include "tests/segment/answers.hpp"
 #include "tests/support/environment.hpp"
+#include "tests/support/generator.hpp"
 #include "tests/support/ray_check.hpp"
 
 namespace provis::test {
@@ -33,6 +34,31 @@ SegmentOptions with(Arithmetic arithmetic, SegmentEngine engine) {
   options.arithmetic = arithmetic;
   options.engine = engine;
   return options;
+}
+
+/// 300 triangles in general position, a wall before them with a hole through which some are seen on the way,
+/// and pixels enough for what is hidden to be skipped in blocks.
+SegmentCase soup_behind_a_wall(std::uint64_t seed) {
+  SegmentCase c;
+  c.start = random_soup(seed, 300);
+  c.start.view.eye = {-1, 0.25, 6};
+  c.to = {1.5, -0.25, 5.5};
+  c.pixels = {12, 8};
+  const auto quad = [&](double x0, double x1, double y0, double y1) {
+    SceneArrays& scene = c.start.arrays;
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    for (const Vec3d& v : {Vec3d{x0, y0, 4}, {x1, y0, 4}, {x1, y1, 4}, {x0, y1, 4}})
+      scene.vertices.push_back(v);
+    for (const Triangle& t : {Triangle{first, first + 1, first + 2}, Triangle{first, first + 2, first + 3}}) {
+      scene.triangles.push_back(t);
+      scene.triangle_flags.push_back(0);
+    }
+  };
+  quad(-9, -0.5, -9, 9);
+  quad(0.25, 9, -9, 9);
+  quad(-0.5, 0.25, -9, -0.25);
+  quad(-0.5, 0.25, 0.5, 9);
+  return c;
 }
 
 }  // namespace
@@ -73,6 +99,16 @@ TEST_CASE("plain doubles end on every generated segment and promise nothing") {
       REQUIRE(set.set.guarantee == Guarantee::sampled);
       REQUIRE(set.set.status.size() == c.start.arrays.triangles.size());
     }
+  }
+}
+
+TEST_CASE("soups of some hundred triangles behind a wall with a hole agree too, by both engines") {
+  for (const std::uint64_t seed : seeds(1)) {
+    const SegmentCase c = soup_behind_a_wall(seed);
+    INFO("soup " << seed);
+    const Answer expected = answer_of(oracle_along(c.start.arrays, c.view()));
+    for (const SegmentEngine engine : {SegmentEngine::fast, SegmentEngine::plain})
+      REQUIRE(difference(engine_answer(c, with(Arithmetic::chain, engine)), expected) == "");
   }
 }
 

@@ -51,6 +51,7 @@ void count(const ExactSights& pixel, std::map<PrimitiveId, ExactSeen>& seen) {
       ExactSeen& s = seen[id];
       s.primitive = id;
       s.length += sight.to - sight.from;
+      ++s.sights;
       if (here.insert(id).second) ++s.pixels;
     }
   }

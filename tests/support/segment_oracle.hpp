@@ -40,7 +40,8 @@ struct ExactSights {
 
 struct ExactSeen {
   PrimitiveId primitive = 0;
-  std::uint64_t pixels = 0;
+  std::uint64_t pixels = 0;  ///< that show it
+  std::uint64_t sights = 0;  ///< in which they do
   Rational length;
 };
 
