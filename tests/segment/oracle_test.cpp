@@ -20,7 +20,7 @@ bool contains(const std::vector<PrimitiveId>& ids, PrimitiveId id) {
 
 }  // namespace
 
-TEST_CASE("generated segments show something and hide something, and each kind of event occurs") {
+TEST_CASE("generated segments show something, hide something, and have boundaries and events") {
   std::size_t visible = 0, triangles = 0, boundary = 0, sights = 0, pixels = 0;
   for (const std::uint64_t seed : seeds(20)) {
     const SegmentCase c = generate_segment(seed);
@@ -39,6 +39,21 @@ TEST_CASE("generated segments show something and hide something, and each kind o
   CHECK((10 * visible > triangles && 10 * visible < 9 * triangles));
   CHECK(50 * boundary > visible);
   CHECK(2 * sights > 3 * pixels);
+}
+
+TEST_CASE("generated segments have what each planted mistake gets wrong") {
+  for (const SegmentPlant plant :
+       {SegmentPlant::drop_an_occluder, SegmentPlant::flip_a_tie, SegmentPlant::use_an_epsilon,
+        SegmentPlant::forget_camera_event, SegmentPlant::forget_crossings}) {
+    int different = 0;
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+      const SegmentCase c = generate_segment(seed);
+      const auto pixels = [&](SegmentPlant p) { return oracle_along(c.start.arrays, c.view(), p).pixels; };
+      different += pixels(plant) != pixels(SegmentPlant::none);
+    }
+    INFO("plant " << static_cast<int>(plant));
+    CHECK(different >= 5);
+  }
 }
 
 TEST_CASE("sights fill the segment, and each shows what its rays see, whichever triangles are tried") {

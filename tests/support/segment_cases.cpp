@@ -165,6 +165,27 @@ void mend_frames(Draft& d) {
   }
 }
 
+/// Two triangles, or three, that cross in a line which the middle pixel looks at all the time: they tie,
+/// inside.
+void add_ties(Draft& d) {
+  d.name(" ties");
+  Frame& f = d.frame();
+  f.window = {};
+  d.made.pixels = {d.random.pick({1, 3}), d.random.pick({1, 3})};
+  SceneArrays& scene = d.start().arrays;
+  const Vec3d at = d.eye() + d.random.pick({0.5, 1.0, 2.0}) * f.forward;
+  const Vec3d way = d.made.to == d.eye() ? d.random.lattice(2) : d.made.to - d.eye();
+  const int count = d.random.between(2, 3);
+  for (int i = 0; i < count; ++i) {
+    const Vec3d slant = d.random.lattice(2);
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    for (const Vec3d& corner : {at - 4.0 * way - slant, at + 4.0 * way - slant, at + slant})
+      scene.vertices.push_back(corner);
+    scene.triangles.push_back({first, first + 1, first + 2});
+    scene.triangle_flags.push_back(d.random.chance(25) ? see_through : 0);
+  }
+}
+
 /// Changes scene, eye and the segment's end together.
 template <class Change>
 void move_all(SegmentCase& c, const Change& change) {
@@ -198,6 +219,7 @@ SegmentCase generate_segment(std::uint64_t seed) {
   choose_segment(d);
   choose_pixels(d);
   mend_frames(d);
+  if (random.chance(8)) add_ties(d);
   if (random.chance(8)) {
     scale_far(d);
   } else {
