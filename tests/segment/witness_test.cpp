@@ -47,7 +47,7 @@ std::vector<Pixel> pixels_along(const SegmentView& view, const Rational3& direct
 std::string refuse(const SegmentCase& c, const SegmentOracle& oracle, const Witness& w) {
   const std::optional<Rational> t = time_at(c.view(), exact(w.origin));
   if (!t) return "its origin is not inside the segment";
-  if (oracle.on_occluder(*t)) return "its origin lies on an occluder";
+  if (c.to != c.start.view.eye && oracle.on_occluder(*t)) return "its origin lies on an occluder";
   const std::vector<Pixel> pixels = pixels_along(c.view(), exact(w.direction));
   if (pixels.empty()) return "its direction is no pixel's centre";
   const Look look = oracle.look(pixels.front(), *t);

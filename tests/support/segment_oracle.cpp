@@ -69,7 +69,7 @@ SegmentOracle::SegmentOracle(const SceneArrays& scene, const SegmentView& view, 
   surfaces_ = surfaces_of(scene, scale_);
   const auto holds = [](const Surface& s, const Integer3& p) { return dot(s.normal, p - s.corner[0]) == 0; };
   for (const Surface& s : surfaces_) {
-    if (s.occludes && holds(s, from_) && holds(s, to_)) floors_.push_back(s);
+    if (from_ != to_ && s.occludes && holds(s, from_) && holds(s, to_)) floors_.push_back(s);
   }
 }
 

@@ -75,9 +75,9 @@ class SegmentOracle {
   bool on_occluder(const Rational& t) const;
 
   /// The parts of [0, 1] between events, joined where neighbours show one set. What is in R10° on one of them
-  /// is added to `proper` where that is given. R10° is to be contained in R9, and to have witnesses (R11):
-  /// both count only cameras that lie on no occluder, and so does this (R6 lets a camera see that lies on
-  /// one).
+  /// is added to `proper` where that is given. R10° is to be contained in R9 and to have witnesses (R11):
+  /// both know no camera that lies on an occluder, though R6 lets it see; so on a segment of positive length
+  /// such times do not count for R10°. Without length R9 is R7, which answers there too.
   ExactSights sights(const Pixel& pixel, std::set<PrimitiveId>* proper = nullptr) const;
 
   /// Every pixel of every frame.
@@ -109,7 +109,7 @@ class SegmentOracle {
   CommonScale scale_;
   Integer3 from_, to_;
   std::vector<Surface> surfaces_;
-  std::vector<Surface> floors_;  ///< occluders in whose plane the camera moves
+  std::vector<Surface> floors_;  ///< occluders in whose plane the camera moves, if it moves
 };
 
 inline SegmentAnswer oracle_along(const SceneArrays& scene, const SegmentView& view,
