@@ -1,6 +1,7 @@
 #pragma once
 // Checking that witnesses prove what they claim.
 
+#include "provis/cell.hpp"
 #include "provis/context.hpp"
 #include "provis/scene.hpp"
 #include "provis/segment.hpp"
@@ -20,6 +21,19 @@ namespace provis {
 ///             Error::cancelled
 /// Cost:       about O(F log F + w log F), w witnesses; parallel
 std::size_t verify_witnesses(const Scene& scene, const PointView& view, const VisibleSet& set,
+                             const Context& context = {});
+
+/// The same for the answer of a cell.
+///
+/// Input:      result: as visible_from_cell gave it
+/// Returns:    the number of witnesses, each of which holds (R11)
+/// Guarantee:  exact: a witness passes iff it starts in the closed cell on no occluder, leads into the window
+///             if there is one, and proves what it claims as above
+/// Degenerate: a cell of one point is that point, which may lie on an occluder (R7)
+/// Throws:     Error::rejected naming the primitive and the reason; a visible primitive without a witness
+/// that
+///             is not in result.unwitnessed; Error::cancelled
+std::size_t verify_witnesses(const Scene& scene, const ViewCell& cell, const CellSet& result,
                              const Context& context = {});
 
 /// The same for a query along a segment, of which the primitives of `boundary` have no witness.

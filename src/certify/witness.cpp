@@ -7,6 +7,7 @@
 #include "predicates/environment.hpp"
 #include "predicates/formulas.hpp"
 #include "provis/error.hpp"
+#include "src/certify/cell_rays.hpp"
 #include "src/certify/exact_ray.hpp"
 #include "src/certify/segment_rays.hpp"
 #include "src/scene/parallel.hpp"
@@ -177,6 +178,18 @@ std::size_t verify_witnesses(const Scene& scene, const SegmentView& view, const 
     const ExactRay ray(w);
     if (!belongs(ray, view)) reject(w.primitive, "the ray does not belong to the view");
     if (!(view.from == view.to)) checker.check_start(ray, w.primitive);
+    checker.check(ray, w.primitive);
+  });
+}
+
+std::size_t verify_witnesses(const Scene& scene, const ViewCell& cell, const CellSet& result,
+                             const Context& context) {
+  check(cell);
+  const WitnessChecker checker(scene);
+  return verify(scene, result.set, result.unwitnessed, context, [&](const Witness& w) {
+    const ExactRay ray(w);
+    if (!belongs(ray, cell)) reject(w.primitive, "the ray does not belong to the cell");
+    if (!(cell.lower == cell.upper)) checker.check_start(ray, w.primitive);
     checker.check(ray, w.primitive);
   });
 }

@@ -200,7 +200,13 @@ Look SegmentOracle::look(const Surfaces& met, const ExactRay& ray) const {
 
 std::vector<Rational> SegmentOracle::events(const Pixel& pixel) const {
   const Path along = path(pixel);
-  return events(met(along), along);
+  std::vector<Rational> found = events(met(along), along);
+  // What is hit at a single moment is no part of any sight, but a ray at that moment meets it.
+  for (const Surface& s : surfaces_) {
+    const std::vector<Rational> own = own_events(s, along);
+    found.insert(found.end(), own.begin(), own.end());
+  }
+  return in_order(std::move(found));
 }
 
 Look SegmentOracle::look(const Pixel& pixel, const Rational& t) const {

@@ -1,0 +1,111 @@
+#pragma once
+// What is visible from a box: the camera may be anywhere in a view cell.
+
+#include <cstdint>
+#include <optional>
+
+#include "provis/context.hpp"
+#include "provis/scene.hpp"
+#include "provis/view.hpp"
+#include "provis/visible_set.hpp"
+
+namespace provis {
+
+/// An axis-parallel box of viewpoints, and the directions in which is looked from them.
+struct ViewCell {
+  Vec3d lower, upper;  ///< taken as exact; where coordinates are equal the box is flat, thin or a point
+  std::optional<Frame> window;  ///< directions forward + x right + y up; the whole sphere where there is none
+};
+
+/// The box with the given center and lengths of its edges: corners are computed once, in float64, and are
+/// exact from there on.
+///
+/// Guarantee:  none needed: the corners are recorded in the result
+/// Degenerate: an edge of length zero is allowed
+ViewCell cell_around(const Vec3d& center, const Vec3d& edges);
+
+/// Throws Error::usage unless every number is finite, no lower coordinate is above its upper one, and the
+/// window passes check(PointView).
+void check(const ViewCell& cell);
+
+/// Which of the two bounds of the visible set are computed.
+enum class CellMethod {
+  bounds,  ///< both: the lower set by sampling viewpoints and directions, the upper set for what is left
+  lower,   ///< only what is proven to be visible
+  upper,   ///< only what is not proven to be hidden: the camera offset space alone
+};
+
+struct CellOptions {
+  CellMethod method = CellMethod::bounds;
+  PixelGrid pixels{32, 32};  ///< of each raster of a face's hemicube; 1 to 1024 each way
+  int refinements = 8;       ///< halvings of a pixel's rays where a triangle is left undecided, 0 to 32
+  int viewpoints = 32;  ///< lower set: exact sets from so many points besides corners and centre, 0 to 65536
+  int directions = 4;   ///< lower set: directions^2 exact samples of the offset space per face, 0 to 256
+  std::uint64_t seed = 1;  ///< of the viewpoints
+};
+
+/// How the camera offset space was resolved. Lists are those of the pixels that were reached: a part of a
+/// raster in which nothing was left to decide has none.
+struct OffsetStats {
+  std::uint64_t rasters = 0;          ///< of all faces
+  std::uint64_t beams = 0;            ///< rectangles of pixels that were looked at
+  std::uint64_t lists = 0;            ///< pixels with a list
+  std::uint64_t list_entries = 0;     ///< of all lists
+  std::uint64_t list_most = 0;        ///< entries of the longest list
+  std::uint64_t early_hidden = 0;     ///< entries that lie behind what covers their whole beam
+  std::uint64_t resolved = 0;         ///< entries that were held against fused occluders
+  std::uint64_t resolved_hidden = 0;  ///< of these, proven to be hidden in their pixel
+  std::uint64_t refined = 0;          ///< parts of pixels that were looked at
+  // Triangles kept in a raster without being seen, by what stood in the way of the first fused occluder:
+  std::uint64_t kept_nothing_between = 0;  ///< there was none
+  std::uint64_t kept_open_edge = 0;        ///< a silhouette or a gap
+  std::uint64_t kept_unusable = 0;         ///< it pierces the triangle, or may come after it
+  std::uint64_t kept_too_many = 0;         ///< more than 256 occluders
+  std::uint64_t facing_unknown = 0;  ///< triangles whose plane crosses a face: they do not occlude from there
+  double seconds = 0;                ///< of all threads
+
+  OffsetStats& operator+=(const OffsetStats& other);
+};
+
+/// How many primitives each stage added to the lower set, in this order, and what is undecided.
+struct BoundStats {
+  std::uint64_t touching = 0;    ///< visible because they meet the cell (R9)
+  std::uint64_t viewpoints = 0;  ///< from sampled viewpoints
+  std::uint64_t samples = 0;     ///< at samples of the camera offset space (R10°)
+  std::uint64_t undecided = 0;   ///< in the upper set only
+  std::uint64_t hidden = 0;
+  std::uint64_t unwitnessed = 0;  ///< of `touching`: visible by rule, and no witness was found
+  std::uint64_t viewpoints_used = 0, samples_used = 0;
+  double seconds_viewpoints = 0, seconds_samples = 0, seconds_upper = 0;  ///< wall clock
+};
+
+/// The answer for one cell. Visible: the lower set. Hidden: everything outside the upper set.
+struct CellSet {
+  VisibleSet set;  ///< answers R9; a witness for each visible primitive but BoundStats::unwitnessed of them
+  std::vector<PrimitiveId> unwitnessed;  ///< ascending
+  BoundStats bounds;
+  OffsetStats offset;
+};
+
+/// Which primitives are visible from somewhere in a box, as a lower and an upper set.
+///
+/// Input:      scene: F triangles; cell: a box in world units
+/// Returns:    status per primitive, size F
+/// Guarantee:  bounds (R9): what is visible has a witness, what is hidden is proven hidden; aggressive for
+///             CellMethod::lower, conservative for CellMethod::upper (which still calls visible what meets
+///             the cell); exact where nothing is left undecided
+/// Error:      none: float64 coordinates are taken as exact
+/// Requires:   check(cell) passes
+/// Degenerate: triangles that meet the cell's interior, or overlap a face, are visible from the side they
+///             have; coincident triangles are all visible; a cell of one point answers as visible_from_point
+/// Throws:     Error::cancelled, Error::usage (options out of range), Error::unsupported (spheres; no
+/// viewpoint
+///             of a flat cell is free of occluders)
+/// Cost:       upper set: about O(pixels l^2), l entries per list; parallel; same answer for any thread count
+/// Source:     J. Hladky, H.-P. Seidel, M. Steinberger, The camera offset space: real-time potentially
+/// visible
+///             set computations for streaming rendering, 2019
+CellSet visible_from_cell(const Scene& scene, const ViewCell& cell, const CellOptions& options = {},
+                          const Context& context = {});
+
+}  // namespace provis

@@ -1,0 +1,294 @@
+#include "src/offset/offset_space.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "predicates/environment.hpp"
+#include "provis/error.hpp"
+#include "src/offset/beam.hpp"
+#include "src/scene/parallel.hpp"
+
+namespace provis::offset {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// One face with everything that its rasters share.
+struct Outlook {
+  Face face;
+  Facets facets;
+  Mesh mesh;
+
+  Outlook(const Scene& scene, const Seams& seams, const Face& f)
+      : face(f), facets(facets_of(scene, seams, face)), mesh(facets.all, seams) {}
+};
+
+/// Halves one raster down to its pixels, and what is left undecided there some times more.
+class Descent {
+ public:
+  Descent(const Outlook& outlook, const Raster& raster, std::vector<char> wanted, int refinements,
+          const Context& context)
+      : outlook_(outlook),
+        raster_(raster),
+        shafts_(raster.frame),
+        resolver_(outlook.facets.all, outlook.mesh, shafts_),
+        wanted_(std::move(wanted)),
+        reached_(wanted_.size(), 0),
+        refinements_(refinements),
+        context_(context) {}
+
+  void run();
+
+  const std::vector<char>& reached() const { return reached_; }
+  const OffsetStats& stats() const { return stats_; }
+
+ private:
+  /// Pixels of the raster, from the first up to the last.
+  struct Block {
+    int column0, column1, row0, row1;
+
+    bool is_pixel() const { return column1 - column0 == 1 && row1 - row0 == 1; }
+  };
+
+  Window window(const Block& b) const;
+  std::vector<Entry> part(const Beam& beam, const std::vector<Entry>& list) const;
+  void halve(const Block& block, std::vector<Entry> list);
+  void refine(const Beam& beam, std::vector<Entry> list, int left);
+  std::array<Beam, 2> halves(const Beam& beam, const std::vector<Entry>& list) const;
+  void drop_covered(const Beam& beam, std::vector<Entry>& list);
+  void resolve(const Beam& beam, std::vector<Entry>& list);
+  void keep(const std::vector<Entry>& list);
+  void count(Failure f);
+  bool measure(Entry& entry) const;
+  void forget_known(std::vector<Entry>& list) const;
+  const Facet& facet(const Entry& e) const { return outlook_.facets.all[e.facet]; }
+
+  static constexpr std::ptrdiff_t few_wanted = 4;
+
+  const Outlook& outlook_;
+  const Raster& raster_;
+  Shafts shafts_;
+  Resolver resolver_;
+  std::vector<char> wanted_, reached_;
+  int refinements_;
+  OffsetStats stats_;
+  const Context& context_;
+};
+
+std::ptrdiff_t count_wanted(const std::vector<Entry>& list) {
+  return std::count_if(list.begin(), list.end(), [](const Entry& e) { return e.wanted; });
+}
+
+Window Descent::window(const Block& b) const {
+  const auto at = [](const std::vector<double>& borders, int i) {
+    return borders[static_cast<std::size_t>(i)];
+  };
+  return {at(raster_.columns, b.column0), at(raster_.columns, b.column1), at(raster_.rows, b.row0),
+          at(raster_.rows, b.row1)};
+}
+
+void Descent::run() {
+  ++stats_.rasters;
+  const Block all{0, static_cast<int>(raster_.columns.size()) - 1, 0,
+                  static_cast<int>(raster_.rows.size()) - 1};
+  const Beam beam(outlook_.face, raster_, shafts_, window(all));
+  std::vector<Entry> list;
+  for (std::uint32_t f = 0; f < outlook_.facets.all.size(); ++f) {
+    Entry e;
+    e.facet = f;
+    e.wanted = wanted_[facet(e).id];
+    e.polygon = whole(*facet(e).p[0], *facet(e).p[1], *facet(e).p[2]);
+    for (const HalfSpace& h : beam.spaces) e.polygon.clip(h);
+    if (e.polygon.size > 0) list.push_back(e);
+  }
+  halve(all, std::move(list));
+}
+
+/// The least and greatest depth of what is left; false if nothing is.
+bool Descent::measure(Entry& e) const {
+  if (e.polygon.size == 0) return false;
+  e.near = HUGE_VAL;
+  e.far = -HUGE_VAL;
+  for (std::size_t k = 0; k < e.polygon.size; ++k) {
+    const Interval d = shafts_.depth(e.polygon.corners[k].at);
+    e.near = std::min(e.near, d.inf());
+    e.far = std::max(e.far, d.sup());
+  }
+  return true;
+}
+
+/// What of the list the rays of the beam may hit, in order of least depth.
+std::vector<Entry> Descent::part(const Beam& beam, const std::vector<Entry>& list) const {
+  std::vector<Entry> in;
+  for (Entry e : list) {
+    for (const HalfSpace& h : beam.spaces) e.polygon.clip(h);
+    if (measure(e)) in.push_back(e);
+  }
+  std::sort(in.begin(), in.end(), [](const Entry& a, const Entry& b) {
+    return a.near != b.near ? a.near < b.near : a.facet < b.facet;
+  });
+  return in;
+}
+
+void Descent::forget_known(std::vector<Entry>& list) const {
+  for (Entry& e : list) e.wanted = e.wanted && wanted_[facet(e).id];
+}
+
+/// Early z: what lies behind occluders that cover the whole beam is gone.
+void Descent::drop_covered(const Beam& beam, std::vector<Entry>& list) {
+  const auto cover = resolver_.cover(beam, list);
+  if (!cover) return;
+  const std::size_t before = list.size();
+  std::erase_if(list, [&](const Entry& e) { return resolver_.behind(*cover, e); });
+  stats_.early_hidden += before - list.size();
+}
+
+/// What is proven to be hidden in the beam is no longer wanted in it.
+void Descent::resolve(const Beam& beam, std::vector<Entry>& list) {
+  for (Entry& e : list) {
+    if (!e.wanted) continue;
+    e.failure = resolver_.hide(beam, list, e);
+    e.wanted = e.failure != Failure::none;
+  }
+}
+
+void Descent::count(Failure f) {
+  switch (f) {
+    case Failure::none:
+      break;
+    case Failure::nothing_between:
+      ++stats_.kept_nothing_between;
+      break;
+    case Failure::open_edge:
+      ++stats_.kept_open_edge;
+      break;
+    case Failure::unusable:
+      ++stats_.kept_unusable;
+      break;
+    case Failure::too_many:
+      ++stats_.kept_too_many;
+  }
+}
+
+void Descent::keep(const std::vector<Entry>& list) {
+  for (const Entry& e : list) {
+    if (!e.wanted) continue;
+    count(e.failure);
+    reached_[facet(e).id] = 1;
+    wanted_[facet(e).id] = 0;
+  }
+}
+
+void Descent::halve(const Block& block, std::vector<Entry> list) {
+  if (context_.cancelled()) throw Error(Error::Code::cancelled, "cell", "interrupted");
+  ++stats_.beams;
+  const Beam beam(outlook_.face, raster_, shafts_, window(block));
+  list = part(beam, list);
+  forget_known(list);
+  if (count_wanted(list) == 0) return;
+  drop_covered(beam, list);
+  if (block.is_pixel()) {
+    const auto asked = static_cast<std::uint64_t>(count_wanted(list));
+    ++stats_.lists;
+    stats_.list_entries += list.size();
+    stats_.list_most = std::max<std::uint64_t>(stats_.list_most, list.size());
+    resolve(beam, list);
+    stats_.resolved += asked;
+    stats_.resolved_hidden += asked - static_cast<std::uint64_t>(count_wanted(list));
+    return refine(beam, std::move(list), refinements_);
+  }
+  if (count_wanted(list) <= few_wanted) resolve(beam, list);
+  if (count_wanted(list) == 0) return;
+  Block first = block, second = block;
+  if (block.column1 - block.column0 >= block.row1 - block.row0)
+    first.column1 = second.column0 = (block.column0 + block.column1) / 2;
+  else
+    first.row1 = second.row0 = (block.row0 + block.row1) / 2;
+  halve(first, list);
+  halve(second, std::move(list));
+}
+
+/// Halves a beam where its shaft is widest: one of two edges of the face, or one of two ranges of directions,
+/// taken at the depth of what is to be decided.
+std::array<Beam, 2> Descent::halves(const Beam& beam, const std::vector<Entry>& list) const {
+  const Vec3d size = beam.face.corners[2] - beam.face.corners[0];
+  const Window& w = beam.directions;
+  double depth = HUGE_VAL;
+  for (const Entry& e : list)
+    if (e.wanted) depth = std::min(depth, e.near);
+  const double reach = depth - shafts_.depth(beam.viewpoint).inf();
+  const int i = (beam.face.axis + 1) % 3, j = (beam.face.axis + 2) % 3;
+  const double widths[4] = {component(size, i), component(size, j), reach * (w.x1 - w.x0),
+                            reach * (w.y1 - w.y0)};
+  const auto widest = std::max_element(widths, widths + 4) - widths;
+  const auto half = [&](bool upper) {
+    if (widest < 2) return Beam(beam.face.half(static_cast<int>(widest), upper), raster_, shafts_, w);
+    Window h = w;
+    if (widest == 2)
+      (upper ? h.x0 : h.x1) = 0.5 * w.x0 + 0.5 * w.x1;
+    else
+      (upper ? h.y0 : h.y1) = 0.5 * w.y0 + 0.5 * w.y1;
+    return Beam(beam.face, raster_, shafts_, h);
+  };
+  return {half(false), half(true)};
+}
+
+void Descent::refine(const Beam& beam, std::vector<Entry> list, int left) {
+  forget_known(list);
+  if (count_wanted(list) == 0) return;
+  if (left == 0) return keep(list);
+  for (const Beam& half : halves(beam, list)) {
+    ++stats_.refined;
+    std::vector<Entry> in = part(half, list);
+    forget_known(in);
+    if (count_wanted(in) == 0) continue;
+    drop_covered(half, in);
+    resolve(half, in);
+    refine(half, std::move(in), left - 1);
+  }
+}
+
+}  // namespace
+
+UpperSet reach(const Scene& scene, const ViewCell& cell, const std::vector<char>& wanted,
+               const PixelGrid& pixels, int refinements, const Context& context) {
+  const Seams seams = on_threads(context, [&] { return Seams(scene); });
+  const std::vector<Face> faces = faces_of(cell);
+  std::vector<std::unique_ptr<Outlook>> outlooks(faces.size());
+  struct Task {
+    std::size_t face;
+    Raster raster;
+    std::vector<char> reached;
+    OffsetStats stats;
+  };
+  std::vector<Task> tasks;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (Raster& r : rasters_of(cell, faces[f], pixels)) tasks.push_back({f, std::move(r), {}, {}});
+
+  on_threads(context, [&] {
+    parallel_for(faces.size(), [&](std::size_t f) {
+      const RoundUp guard;
+      outlooks[f] = std::make_unique<Outlook>(scene, seams, faces[f]);
+    });
+    parallel_queue(tasks.size(), [&](std::size_t k) {
+      const RoundUp guard;
+      const auto start = Clock::now();
+      Descent descent(*outlooks[tasks[k].face], tasks[k].raster, wanted, refinements, context);
+      descent.run();
+      tasks[k].reached = descent.reached();
+      tasks[k].stats = descent.stats();
+      tasks[k].stats.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    });
+  });
+
+  UpperSet set{std::vector<char>(wanted.size(), 0), {}};
+  for (const Task& t : tasks) {
+    for (std::size_t id = 0; id < set.reached.size(); ++id) set.reached[id] |= t.reached[id];
+    set.stats += t.stats;
+  }
+  for (const auto& o : outlooks) set.stats.facing_unknown += o->facets.facing_unknown;
+  return set;
+}
+
+}  // namespace provis::offset

@@ -1,0 +1,221 @@
+#include "provis/cell.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "predicates/environment.hpp"
+#include "provis/error.hpp"
+#include "provis/point.hpp"
+#include "src/offset/offset_space.hpp"
+#include "src/region/contact.hpp"
+#include "src/region/lower.hpp"
+#include "src/region/viewpoints.hpp"
+#include "src/scene/parallel.hpp"
+
+namespace provis {
+namespace {
+
+constexpr int most_pixels = 1024, most_viewpoints = 65536, most_directions = 256, most_refinements = 32;
+
+[[noreturn]] void refuse(const char* place, const char* what) {
+  throw Error(Error::Code::usage, place, what);
+}
+
+void check(const CellOptions& o) {
+  const auto in = [](int n, int least, int most) { return least <= n && n <= most; };
+  if (!in(o.pixels.width, 1, most_pixels) || !in(o.pixels.height, 1, most_pixels))
+    refuse("cos-size", "a raster needs 1 to 1024 pixels each way");
+  if (!in(o.refinements, 0, most_refinements)) refuse("refinements", "0 to 32");
+  if (!in(o.viewpoints, 0, most_viewpoints)) refuse("viewpoints", "0 to 65536");
+  if (!in(o.directions, 0, most_directions)) refuse("directions", "0 to 256");
+}
+
+double cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// One query on its way to the answer.
+class Query {
+ public:
+  Query(const Scene& scene, const ViewCell& cell, const CellOptions& options, const Context& context)
+      : scene_(scene), cell_(cell), options_(options), context_(context), lower_(scene, cell, context) {}
+
+  CellSet answer();
+
+ private:
+  void settle_contacts();
+  void find_lower();
+  void find_upper();
+  void conclude();
+
+  const Scene& scene_;
+  const ViewCell& cell_;
+  const CellOptions& options_;
+  const Context& context_;
+  LowerSet lower_;
+  std::vector<Contact> contacts_;
+  CellSet result_;
+};
+
+void Query::settle_contacts() {
+  contacts_.assign(scene_.primitive_count(), Contact::apart);
+  on_threads(context_, [&] {
+    parallel_for(scene_.triangles().size(), [&](std::size_t t) {
+      if (context_.cancelled()) throw Error(Error::Code::cancelled, "cell", "interrupted");
+      const RoundUp guard;
+      contacts_[t] = contact(scene_, t, cell_);
+    });
+  });
+}
+
+void Query::find_lower() {
+  const bool flat =
+      cell_.lower.x == cell_.upper.x || cell_.lower.y == cell_.upper.y || cell_.lower.z == cell_.upper.z;
+  auto start = std::chrono::steady_clock::now();
+  const std::vector<Vec3d> viewpoints = free_viewpoints(scene_, cell_, options_.viewpoints, options_.seed);
+  if (viewpoints.empty() && flat)
+    throw Error(Error::Code::unsupported, "cell", "no viewpoint was found that lies on no occluder");
+  BoundStats& b = result_.bounds;
+  b.viewpoints_used = viewpoints.size();
+  b.viewpoints = lower_.look_from(viewpoints);
+  b.seconds_viewpoints = seconds_since(start);
+  start = std::chrono::steady_clock::now();
+  b.samples = lower_.look_along(options_.directions, b.samples_used);
+  b.seconds_samples = seconds_since(start);
+}
+
+void Query::find_upper() {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<char> wanted(scene_.primitive_count(), 0);
+  for (PrimitiveId id = 0; id < wanted.size(); ++id)
+    wanted[id] = contacts_[id] == Contact::apart && !lower_.holds(id);
+  const offset::UpperSet upper =
+      offset::reach(scene_, cell_, wanted, options_.pixels, options_.refinements, context_);
+  for (PrimitiveId id = 0; id < wanted.size(); ++id)
+    result_.set.status[id] = upper.reached[id] ? Status::undecided : Status::hidden;
+  result_.offset = upper.stats;
+  result_.bounds.seconds_upper = seconds_since(start);
+}
+
+/// What R9 settles, then what has a witness.
+void Query::conclude() {
+  std::vector<Status>& status = result_.set.status;
+  BoundStats& b = result_.bounds;
+  constexpr int most_looks = 64;
+  int looks = 0;
+  for (PrimitiveId id = 0; id < status.size(); ++id) {
+    if (lower_.holds(id)) status[id] = Status::visible;
+    if (contacts_[id] != Contact::visible) continue;
+    status[id] = Status::visible;
+    ++b.touching;
+    if (!lower_.holds(id) && looks++ < most_looks) lower_.look_at_contact(id);
+  }
+  // A look at one may have found another that an earlier look missed.
+  for (PrimitiveId id = 0; id < status.size(); ++id)
+    if (contacts_[id] == Contact::visible && !lower_.holds(id)) result_.unwitnessed.push_back(id);
+  b.unwitnessed = result_.unwitnessed.size();
+  for (PrimitiveId id = 0; id < status.size(); ++id)
+    if (status[id] == Status::visible && lower_.holds(id))
+      result_.set.witnesses.push_back(*lower_.witnesses()[id]);
+  const auto count = [&](Status s) {
+    return static_cast<std::uint64_t>(std::count(status.begin(), status.end(), s));
+  };
+  b.undecided = count(Status::undecided);
+  b.hidden = count(Status::hidden);
+  Guarantee& g = result_.set.guarantee;
+  switch (options_.method) {
+    case CellMethod::lower:
+      g = Guarantee::aggressive;
+      break;
+    case CellMethod::upper:
+      g = Guarantee::conservative;
+      break;
+    case CellMethod::bounds:
+      g = b.undecided == 0 ? Guarantee::exact : Guarantee::bounds;
+  }
+}
+
+CellSet Query::answer() {
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu = cpu_seconds();
+  result_.set.answers = "R9";
+  result_.set.status.assign(scene_.primitive_count(), Status::undecided);
+  settle_contacts();
+  if (options_.method != CellMethod::upper) find_lower();
+  if (options_.method != CellMethod::lower) find_upper();
+  conclude();
+  result_.set.stats.threads = thread_count(context_);
+  result_.set.stats.seconds = seconds_since(start);
+  result_.set.stats.cpu_seconds = cpu_seconds() - cpu;
+  return std::move(result_);
+}
+
+CellSet from_point(const Scene& scene, const ViewCell& cell, const Context& context) {
+  PointOptions options;
+  options.witnesses = true;
+  CellSet result;
+  result.set = visible_from_point(scene, view_from(cell, cell.lower), options, context);
+  result.set.answers = "R9";
+  result.bounds.viewpoints = result.set.witnesses.size();
+  result.bounds.viewpoints_used = 1;
+  result.bounds.hidden = scene.primitive_count() - result.set.witnesses.size();
+  return result;
+}
+
+}  // namespace
+
+OffsetStats& OffsetStats::operator+=(const OffsetStats& o) {
+  rasters += o.rasters;
+  beams += o.beams;
+  lists += o.lists;
+  list_entries += o.list_entries;
+  list_most = std::max(list_most, o.list_most);
+  early_hidden += o.early_hidden;
+  resolved += o.resolved;
+  resolved_hidden += o.resolved_hidden;
+  refined += o.refined;
+  kept_nothing_between += o.kept_nothing_between;
+  kept_open_edge += o.kept_open_edge;
+  kept_unusable += o.kept_unusable;
+  kept_too_many += o.kept_too_many;
+  facing_unknown += o.facing_unknown;
+  seconds += o.seconds;
+  return *this;
+}
+
+ViewCell cell_around(const Vec3d& center, const Vec3d& edges) {
+  return {center - 0.5 * edges, center + 0.5 * edges, {}};
+}
+
+void check(const ViewCell& cell) {
+  const auto ordered = [](double lo, double hi) {
+    return std::isfinite(lo) && std::isfinite(hi) && lo <= hi;
+  };
+  if (!ordered(cell.lower.x, cell.upper.x) || !ordered(cell.lower.y, cell.upper.y) ||
+      !ordered(cell.lower.z, cell.upper.z))
+    refuse("cell", "corners must be finite, and the lower one nowhere above the upper one");
+  if (cell.window) check(PointView{cell.lower, Projection::pinhole, {*cell.window}});
+}
+
+CellSet visible_from_cell(const Scene& scene, const ViewCell& cell, const CellOptions& options,
+                          const Context& context) {
+  check(cell);
+  check(options);
+  check_environment();
+  if (!scene.spheres().empty())
+    throw Error(
+        Error::Code::unsupported, "scene",
+        "spheres are not handled by cell queries: " + std::to_string(scene.spheres().size()) + " of them");
+  if (cell.lower == cell.upper) return from_point(scene, cell, context);
+  return Query(scene, cell, options, context).answer();
+}
+
+}  // namespace provis

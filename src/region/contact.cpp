@@ -1,0 +1,151 @@
+#include "src/region/contact.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "predicates/certain_sign.hpp"
+#include "predicates/formulas.hpp"
+#include "predicates/zero_area.hpp"
+
+namespace provis {
+namespace {
+
+using N = ExactNumber;
+using Corners = std::array<Vec3d, 8>;
+
+double at(const Vec3d& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+Corners corners_of(const ViewCell& cell) {
+  Corners c;
+  for (std::size_t k = 0; k < 8; ++k)
+    c[k] = {k & 1 ? cell.upper.x : cell.lower.x, k & 2 ? cell.upper.y : cell.lower.y,
+            k & 4 ? cell.upper.z : cell.lower.z};
+  return c;
+}
+
+/// A triangle, its normal in exact numbers, and the cell.
+class Touch {
+ public:
+  Touch(const Scene& scene, std::size_t t, const ViewCell& cell)
+      : p_{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2)},
+        one_sided_(scene.triangle_flags()[t] & single_sided),
+        cell_(cell),
+        corners_(corners_of(cell)) {}
+
+  bool unseen() const;
+  bool meets_interior() const;
+  bool shows_inside() const;
+  bool shows_on_a_face() const;
+
+ private:
+  template <class T = N>
+  Vec3<T> normal() const {
+    const Vec3<T> o = numbers<T>(p_[0]);
+    return cross(numbers<T>(p_[1]) - o, numbers<T>(p_[2]) - o);
+  }
+  double least(int axis) const { return std::min({at(p_[0], axis), at(p_[1], axis), at(p_[2], axis)}); }
+  double greatest(int axis) const { return std::max({at(p_[0], axis), at(p_[1], axis), at(p_[2], axis)}); }
+  bool separates(const Vec3<N>& axis) const;
+  bool overlaps_face(int axis) const;
+  /// Whether some direction of the window has a positive product with the vector.
+  bool some_direction_along(const Vec3<N>& v) const;
+
+  std::array<Vec3d, 3> p_;
+  bool one_sided_;
+  const ViewCell& cell_;
+  Corners corners_;
+};
+
+/// Every corner of the cell lies in the triangle's plane, or behind a triangle that has no back.
+bool Touch::unseen() const {
+  return std::all_of(corners_.begin(), corners_.end(), [&](const Vec3d& c) {
+    const Sign s =
+        certain_sign([&]<class T>() { return dot(normal<T>(), numbers<T>(c) - numbers<T>(p_[0])); });
+    return s == Sign::zero || (one_sided_ && s == Sign::negative);
+  });
+}
+
+/// A vector of length zero separates nothing: it alone sees all corners of a box at one height.
+bool Touch::separates(const Vec3<N>& axis) const {
+  bool below = true, above = true;
+  for (const Vec3d& p : p_)
+    for (const Vec3d& c : corners_) {
+      const Sign s = sign_of(dot(axis, numbers<N>(p) - numbers<N>(c)));
+      below = below && s != Sign::positive;
+      above = above && s != Sign::negative;
+      if (!below && !above) return false;
+    }
+  return below != above;
+}
+
+// Two convex bodies, one of them open, are disjoint iff a plane separates them weakly; one of these does:
+// across an axis, along the triangle, or across an axis and an edge.
+bool Touch::meets_interior() const {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(least(axis) < at(cell_.upper, axis) && greatest(axis) > at(cell_.lower, axis)) ||
+        !(at(cell_.lower, axis) < at(cell_.upper, axis)))
+      return false;
+  if (separates(normal())) return false;
+  const Vec3<N> axes[3] = {{N(1), N(0), N(0)}, {N(0), N(1), N(0)}, {N(0), N(0), N(1)}};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const Vec3<N>& axis : axes)
+      if (separates(cross(axis, numbers<N>(p_[(k + 1) % 3]) - numbers<N>(p_[k])))) return false;
+  return true;
+}
+
+bool Touch::some_direction_along(const Vec3<N>& v) const {
+  if (!cell_.window) return true;
+  const Frame& f = *cell_.window;
+  for (const double x : {f.window.x0, f.window.x1})
+    for (const double y : {f.window.y0, f.window.y1}) {
+      const Vec3<N> d = numbers<N>(f.forward) + N(x) * numbers<N>(f.right) + N(y) * numbers<N>(f.up);
+      if (sign_of(dot(v, d)) == Sign::positive) return true;
+    }
+  return false;
+}
+
+/// From the inside of the cell both sides can be reached; a front is seen against its normal.
+bool Touch::shows_inside() const { return !one_sided_ || some_direction_along(-normal()); }
+
+/// The triangle lies in a plane across the axis: whether it overlaps the box there in positive area. The same
+/// separation in two dimensions.
+bool Touch::overlaps_face(int axis) const {
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  for (const int k : {i, j})
+    if (!(least(k) < at(cell_.upper, k) && greatest(k) > at(cell_.lower, k))) return false;
+  const auto across = [&](const Vec3d& a, const Vec3d& b) {
+    Vec3<N> v{N(0), N(0), N(0)};
+    component(v, i) = N(at(b, j)) - N(at(a, j));
+    component(v, j) = N(at(a, i)) - N(at(b, i));
+    return v;
+  };
+  for (std::size_t k = 0; k < 3; ++k)
+    if (separates(across(p_[k], p_[(k + 1) % 3]))) return false;
+  return true;
+}
+
+bool Touch::shows_on_a_face() const {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(at(cell_.lower, axis) < at(cell_.upper, axis))) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool upper : {false, true}) {
+      const double h = at(upper ? cell_.upper : cell_.lower, axis);
+      if (least(axis) != h || greatest(axis) != h || !overlaps_face(axis)) continue;
+      Vec3<N> out{N(0), N(0), N(0)};
+      component(out, axis) = N(upper ? 1 : -1);
+      const bool front_inside = sign_of(dot(normal(), out)) == Sign::negative;
+      if ((!one_sided_ || front_inside) && some_direction_along(out)) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+Contact contact(const Scene& scene, std::size_t t, const ViewCell& cell) {
+  if (zero_area(scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2))) return Contact::hidden;
+  const Touch touch(scene, t, cell);
+  if ((touch.meets_interior() && touch.shows_inside()) || touch.shows_on_a_face()) return Contact::visible;
+  return touch.unseen() ? Contact::hidden : Contact::apart;
+}
+
+}  // namespace provis

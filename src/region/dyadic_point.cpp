@@ -1,0 +1,60 @@
+#include "src/region/dyadic_point.hpp"
+
+#include <CGAL/Gmpq.h>
+
+#include <algorithm>
+
+namespace provis {
+namespace {
+
+using Rational = CGAL::Gmpq;
+using Point = Vec3<Rational>;
+
+Rational value(const Dyadic& d) {
+  CGAL::Gmpz m, power;
+  mpz_set_str(m.mpz(), d.mantissa.c_str(), 10);
+  mpz_ui_pow_ui(power.mpz(), 2, static_cast<unsigned long>(std::labs(d.exponent)));
+  return d.exponent < 0 ? Rational(m, power) : Rational(m * power);
+}
+
+Point exact(const Vec3d& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+
+bool between(const Rational& p, double a, double b, double c) {
+  return p >= Rational(std::min({a, b, c})) && p <= Rational(std::max({a, b, c}));
+}
+
+/// The coordinate rounded, and then some.
+bool certainly_beyond(double p, double a, double b, double c) {
+  const double slack = 1e-12 * (std::fabs(p) + 1e-300);
+  return p < std::min({a, b, c}) - slack || p > std::max({a, b, c}) + slack;
+}
+
+}  // namespace
+
+struct DyadicPoint::Numbers {
+  Point exact;
+  Vec3d rounded;
+};
+
+DyadicPoint::DyadicPoint(const Vec3<Dyadic>& p)
+    : numbers_(std::make_unique<Numbers>(Numbers{{value(p.x), value(p.y), value(p.z)}, {}})) {
+  const Point& e = numbers_->exact;
+  numbers_->rounded = {CGAL::to_double(e.x), CGAL::to_double(e.y), CGAL::to_double(e.z)};
+}
+
+DyadicPoint::~DyadicPoint() = default;
+
+bool DyadicPoint::lies_on(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
+  const Vec3d& r = numbers_->rounded;
+  if (certainly_beyond(r.x, a.x, b.x, c.x) || certainly_beyond(r.y, a.y, b.y, c.y) ||
+      certainly_beyond(r.z, a.z, b.z, c.z))
+    return false;
+  const Point& p = numbers_->exact;
+  if (!between(p.x, a.x, b.x, c.x) || !between(p.y, a.y, b.y, c.y) || !between(p.z, a.z, b.z, c.z))
+    return false;
+  const Point u = exact(a) - p, v = exact(b) - p, w = exact(c) - p, n = cross(v - u, w - u);
+  if (dot(u, cross(v, w)) != 0 || dot(n, n) == 0) return false;
+  return dot(n, cross(u, v)) >= 0 && dot(n, cross(v, w)) >= 0 && dot(n, cross(w, u)) >= 0;
+}
+
+}  // namespace provis

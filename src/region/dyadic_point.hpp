@@ -1,0 +1,23 @@
+#pragma once
+// A point of dyadic coordinates, and whether triangles hold it.
+
+#include <memory>
+
+#include "provis/visible_set.hpp"
+
+namespace provis {
+
+class DyadicPoint {
+ public:
+  explicit DyadicPoint(const Vec3<Dyadic>& p);
+  ~DyadicPoint();
+
+  /// Whether the closed triangle, of positive area, holds the point. Exact.
+  bool lies_on(const Vec3d& a, const Vec3d& b, const Vec3d& c) const;
+
+ private:
+  struct Numbers;
+  std::unique_ptr<Numbers> numbers_;
+};
+
+}  // namespace provis

@@ -1,0 +1,142 @@
+// Lower set, truth and upper set, in this order, on scenes made to be degenerate.
+
+#include <catch2/catch.hpp>
+
+#include "provis/cell.hpp"
+#include "provis/error.hpp"
+#include "provis/witness.hpp"
+#include "src/region/lower.hpp"
+#include "tests/support/cells.hpp"
+#include "tests/support/environment.hpp"
+#include "tests/support/generator.hpp"
+#include "tests/support/oracle.hpp"
+
+namespace provis::test {
+namespace {
+
+CellOptions small(CellMethod method) {
+  CellOptions o;
+  o.method = method;
+  o.pixels = {4, 4};
+  o.viewpoints = 2;
+  o.directions = 1;
+  return o;
+}
+
+std::vector<PrimitiveId> hidden_among(const CellSet& upper, const std::vector<PrimitiveId>& seen) {
+  std::vector<PrimitiveId> wrong;
+  for (const PrimitiveId id : seen)
+    if (upper.set.status[id] == Status::hidden) wrong.push_back(id);
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("nothing that an exact ray out of the cell sees is called hidden") {
+  std::size_t rays = 0, proven = 0, hidden = 0, undecided = 0;
+  for (const std::uint64_t seed : seeds(100)) {
+    const Case c = generate(seed);
+    Random random(seed + 77);
+    const ViewCell cell = any_cell(c, random);
+    INFO(describe(c, cell));
+    const CellSet upper = visible_from_cell(Scene(c.arrays), cell, small(CellMethod::upper));
+    const CellRays oracle(c.arrays, cell);
+    constexpr int tries = 60;
+    for (int k = 0; k < tries; ++k) {
+      const std::vector<PrimitiveId> seen = oracle.seen(random);
+      ++rays;
+      proven += seen.size();
+      REQUIRE(hidden_among(upper, seen) == std::vector<PrimitiveId>{});
+    }
+    hidden += upper.bounds.hidden;
+    undecided += upper.bounds.undecided;
+  }
+  WARN(rays << " rays proved " << proven << " sights; " << hidden << " hidden, " << undecided
+            << " not proven hidden");
+  // An upper set that holds everything would pass too, and so would rays that see nothing.
+  if (seeds(100).size() > 100) {
+    CHECK(proven > rays / 4);
+    CHECK(4 * hidden > undecided);
+  }
+}
+
+TEST_CASE("nothing that is visible from a point of the cell is called hidden") {
+  for (const std::uint64_t seed : seeds(20)) {
+    const Case c = generate(seed);
+    Random random(seed + 77);
+    ViewCell cell = any_cell(c, random);
+    INFO(describe(c, cell));
+    const Scene scene(c.arrays);
+    const CellSet upper = visible_from_cell(scene, cell, small(CellMethod::upper));
+    CellOptions lower_only = small(CellMethod::lower);
+    lower_only.viewpoints = 8;
+    try {
+      const CellSet lower = visible_from_cell(scene, cell, lower_only);
+      REQUIRE(hidden_among(upper, lower.set.with(Status::visible)) == std::vector<PrimitiveId>{});
+    } catch (const Error& e) {
+      REQUIRE(e.code() == Error::Code::unsupported);  // flat, and on occluders
+    }
+  }
+}
+
+TEST_CASE("every primitive of the lower set has a witness that holds") {
+  std::uint64_t touching = 0, unwitnessed = 0;
+  for (const std::uint64_t seed : seeds(10)) {
+    const Case c = generate(seed);
+    Random random(seed + 77);
+    const ViewCell cell = any_cell(c, random);
+    INFO(describe(c, cell));
+    const Scene scene(c.arrays);
+    try {
+      const CellSet set = visible_from_cell(scene, cell, small(CellMethod::bounds));
+      REQUIRE(verify_witnesses(scene, cell, set) ==
+              set.set.with(Status::visible).size() - set.unwitnessed.size());
+      touching += set.bounds.touching;
+      unwitnessed += set.bounds.unwitnessed;
+    } catch (const Error& e) {
+      REQUIRE(e.code() == Error::Code::unsupported);
+    }
+  }
+  WARN(touching << " triangles meet their cell, " << unwitnessed << " of them without a witness");
+}
+
+TEST_CASE("samples of the offset space alone prove what they find") {
+  std::size_t found = 0;
+  for (const std::uint64_t seed : seeds(5)) {
+    const Case c = generate(seed);
+    Random random(seed + 77);
+    ViewCell cell = any_cell(c, random);
+    cell.window.reset();
+    INFO(describe(c, cell));
+    const Scene scene(c.arrays);
+    const Context context;
+    LowerSet lower(scene, cell, context);
+    std::uint64_t samples = 0;
+    found += lower.look_along(3, samples);
+    CellSet claimed;
+    claimed.set.status.assign(scene.primitive_count(), Status::undecided);
+    for (const auto& w : lower.witnesses()) {
+      if (!w) continue;
+      claimed.set.status[w->primitive] = Status::visible;
+      claimed.set.witnesses.push_back(*w);
+    }
+    REQUIRE(verify_witnesses(scene, cell, claimed) == claimed.set.witnesses.size());
+  }
+  CHECK(found > 0);
+}
+
+TEST_CASE("a cell of one point answers as the point does") {
+  for (const std::uint64_t seed : seeds(5)) {
+    const Case c = generate(seed);
+    INFO(describe(c));
+    const ViewCell cell{c.view.eye, c.view.eye, {}};
+    const CellSet set = visible_from_cell(Scene(c.arrays), cell);
+    const std::vector<bool> expected = oracle_visible(c.arrays, omni(c.view.eye));
+    for (std::size_t t = 0; t < expected.size(); ++t)
+      REQUIRE((set.set.status[t] == Status::visible) == expected[t]);
+    REQUIRE(set.set.guarantee == Guarantee::exact);
+    REQUIRE(verify_witnesses(Scene(c.arrays), cell, set) == set.set.witnesses.size());
+  }
+}
+
+}  // namespace provis::test
