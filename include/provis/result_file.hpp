@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "provis/cell.hpp"
 #include "provis/scene.hpp"
 #include "provis/segment.hpp"
 #include "provis/view.hpp"
@@ -36,9 +37,20 @@ struct ResultHeader {
   std::string scene_hash;
   std::size_t triangles = 0, spheres = 0;
   std::vector<LeftOut> left_out;               ///< of the file, because it was invalid
-  PointView view;                              ///< of a query along segments: SegmentQuery::first_view()
-  std::optional<SegmentQuery> segments;        ///< of such a query only
+  PointView view;                              ///< of other queries: a viewpoint to draw from
+  std::optional<SegmentQuery> segments;        ///< of such a query only: view is first_view()
+  std::optional<ViewCell> cell;                ///< of such a query only: view is center_view()
   std::map<std::string, std::string> options;  ///< every option that can change the set, as given
+};
+
+/// The view from the middle of the cell, rounded.
+PointView center_view(const ViewCell& cell);
+
+/// How the answer for a cell was found.
+struct CellCounts {
+  std::vector<PrimitiveId> unwitnessed;  ///< as in CellSet
+  BoundStats bounds;
+  OffsetStats offset;
 };
 
 struct ResultFile {
@@ -46,6 +58,7 @@ struct ResultFile {
   VisibleSet set;
   std::vector<PrimitiveId> boundary;  ///< as in SegmentSet
   std::vector<Seen> seen;             ///< likewise
+  std::optional<CellCounts> counts;   ///< of a query from a cell
 };
 
 /// Writes the result; float64 numbers read back bit for bit.

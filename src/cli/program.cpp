@@ -40,7 +40,7 @@ class Program {
     app_.set_version_flag("--version", std::string("provis ") + PROVIS_VERSION, "Print the version and exit");
     app_.formatter(help_format());
     app_.footer(closing);
-    for (const auto add : {add_info, add_export, add_point, add_segment, add_draw, add_accuracy}) {
+    for (const auto add : {add_info, add_export, add_point, add_segment, add_cell, add_draw, add_accuracy}) {
       Action action = add(app_);
       CLI::App* command = app_.get_subcommands({}).back();
       command->group("Commands");

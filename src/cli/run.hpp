@@ -29,6 +29,7 @@ Action add_info(CLI::App& program);
 Action add_export(CLI::App& program);
 Action add_point(CLI::App& program);
 Action add_segment(CLI::App& program);
+Action add_cell(CLI::App& program);
 Action add_draw(CLI::App& program);
 Action add_accuracy(CLI::App& program);
 

@@ -8,6 +8,7 @@
 
 #include "provis/error.hpp"
 #include "provis/result_file.hpp"
+#include "src/report/cell_query.hpp"
 #include "src/report/json_node.hpp"
 #include "src/report/names.hpp"
 #include "src/report/result_keys.hpp"
@@ -93,6 +94,21 @@ SegmentQuery segments(const JsonNode& query) {
   return result;
 }
 
+ViewCell view_cell(const JsonNode& query) {
+  ViewCell result{query.member("lower").vec3(), query.member("upper").vec3(), {}};
+  if (query.has("directions")) result.window = frame(query.member("directions"));
+  require_good(result, query);
+  return result;
+}
+
+CellCounts counts(const JsonNode& root, std::size_t primitives) {
+  CellCounts result;
+  result.unwitnessed = ascending_ids(root.member("unwitnessed"), primitives);
+  const JsonNode node = root.member("stages");
+  for (const CellCount& c : counts_of(result.bounds, result.offset)) *c.value = node.member(c.name).natural();
+  return result;
+}
+
 PointView view(const JsonNode& query) {
   const auto projection = projection_named(query.member("projection").text());
   if (!projection) query.member("projection").fail("is no projection of this version");
@@ -131,10 +147,13 @@ ResultHeader header(const JsonNode& root) {
   if (kind == "segment") {
     header.segments = segments(query);
     header.view = header.segments->first_view();
+  } else if (kind == "cell") {
+    header.cell = view_cell(query);
+    header.view = center_view(*header.cell);
   } else if (kind == "point") {
     header.view = view(query);
   } else {
-    query.member("kind").fail("is neither \"point\" nor \"segment\"");
+    query.member("kind").fail("is none of \"point\", \"segment\" and \"cell\"");
   }
   for (const auto& [key, value] : query.raw().items()) {
     if (!is_view_key(key)) header.options[key] = query.member(key).text();
@@ -290,6 +309,7 @@ ResultFile read_result(const std::filesystem::path& file) {
                             most_primitives));
   }
   result.set = visible_set(root, result.header);
+  if (result.header.cell) result.counts = counts(root, primitives);
   if (!result.header.segments) return result;
   result.boundary = ascending_ids(root.member("boundary"), primitives);
   for (const PrimitiveId id : result.boundary)

@@ -7,6 +7,7 @@
 
 #include "provis/error.hpp"
 #include "provis/result_file.hpp"
+#include "src/report/cell_query.hpp"
 #include "src/report/json_text.hpp"
 #include "src/report/names.hpp"
 #include "src/report/query_json.hpp"
@@ -89,6 +90,12 @@ Json point_json(const PointView& view) {
   return query;
 }
 
+Json cell_json(const ViewCell& cell) {
+  Json query = {{"kind", "cell"}, {"lower", json(cell.lower)}, {"upper", json(cell.upper)}};
+  if (cell.window) query["directions"] = json(*cell.window);
+  return query;
+}
+
 Json segment_json(const SegmentQuery& segments) {
   Json paths = Json::array();
   for (const SegmentQuery::Path& p : segments.paths)
@@ -99,10 +106,18 @@ Json segment_json(const SegmentQuery& segments) {
           {"pixels", {segments.pixels.width, segments.pixels.height}}};
 }
 
+Json counts_json(CellCounts counts) {
+  Json all = Json::object();
+  for (const CellCount& c : counts_of(counts.bounds, counts.offset)) all[std::string(c.name)] = *c.value;
+  return all;
+}
+
 }  // namespace
 
 Json query_json(const ResultHeader& header) {
-  Json query = header.segments ? segment_json(*header.segments) : point_json(header.view);
+  Json query = header.segments ? segment_json(*header.segments)
+               : header.cell   ? cell_json(*header.cell)
+                               : point_json(header.view);
   for (const auto& [option, value] : header.options) {
     if (is_view_key(option)) throw Error(Error::Code::internal, "result file", "option named " + option);
     query[option] = value;
@@ -202,6 +217,10 @@ void write_result(const ResultFile& result, std::ostream& out) {
   write_id_array(out, "undecided", undecided);
   if (header.segments) write_id_array(out, "boundary", result.boundary);
   write_items(out, "seen", result.seen);
+  if (result.counts) {
+    write_id_array(out, "unwitnessed", result.counts->unwitnessed);
+    write_member(out, "stages", counts_json(*result.counts));
+  }
   write_items(out, "witnesses", set.witnesses);
   write_items(out, "subdivision", set.subdivision);
   write_member(out, "stats", json(set.stats));

@@ -94,6 +94,31 @@ std::string query_text(const SegmentQuery& segments) {
                      segments.pixels.width, segments.pixels.height);
 }
 
+std::string query_text(const ViewCell& cell) {
+  std::string line = fmt::format("cell from {} to {}", text(cell.lower), text(cell.upper));
+  if (cell.window) line += fmt::format(", along {}", text(cell.window->forward));
+  return line;
+}
+
+namespace {
+
+std::string header_text(const ResultHeader& header) {
+  if (header.segments) return query_text(*header.segments);
+  return header.cell ? query_text(*header.cell) : query_text(header.view);
+}
+
+std::string cell_text(const CellCounts& counts) {
+  const BoundStats& b = counts.bounds;
+  const OffsetStats& o = counts.offset;
+  return fmt::format(
+      "proven by  {} from {} viewpoints, then {} at {} samples; {} meet the cell, {} without a witness\n"
+      "offsets    {} lists, {} entries, at most {}; {} refinements\n",
+      b.viewpoints, b.viewpoints_used, b.samples, b.samples_used, b.touching, counts.unwitnessed.size(),
+      o.lists, o.list_entries, o.list_most, o.refined);
+}
+
+}  // namespace
+
 std::string summary(const ResultFile& result) {
   const ResultHeader& header = result.header;
   const VisibleSet& set = result.set;
@@ -109,13 +134,13 @@ std::string summary(const ResultFile& result) {
     fmt::format_to(out, "left out   {} invalid primitives\n", header.left_out.size());
   }
   fmt::format_to(out, "hash       {}\n", header.scene_hash);
-  fmt::format_to(out, "query      {}\n",
-                 header.segments ? query_text(*header.segments) : query_text(header.view));
+  fmt::format_to(out, "query      {}\n", header_text(header));
   fmt::format_to(out, "options    {}\n", options_text(header.options));
   fmt::format_to(out, "visible    {} ({:.4g} %)\n", visible, percent(visible, total));
   if (header.segments) fmt::format_to(out, "boundary   {} of them\n", result.boundary.size());
   fmt::format_to(out, "hidden     {}\n", total - visible - undecided);
   fmt::format_to(out, "undecided  {}\n", undecided);
+  if (result.counts) text += cell_text(*result.counts);
   fmt::format_to(out, "guarantee  {}, answers {}{}\n", name(set.guarantee), set.answers,
                  set.eye_on_primitive ? ", eye-on-primitive" : "");
   fmt::format_to(out, "time       {:.3f} s on {} thread{} ({:.3f} s of CPU)\n", stats.seconds, stats.threads,

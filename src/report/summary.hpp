@@ -18,6 +18,9 @@ std::string query_text(const PointView& view);
 /// "segment from 0,1.8,0 to 5,1.8,0, 6 frames of 800x800 pixels".
 std::string query_text(const SegmentQuery& segments);
 
+/// "cell from -0.15,1.65,-0.15 to 0.15,1.95,0.15".
+std::string query_text(const ViewCell& cell);
+
 /// The counts of all predicates, by tier.
 std::array<std::uint64_t, tier_count> by_tier(const SignCounts& signs);
 
