@@ -71,10 +71,19 @@ void Block<A>::report_pixel(std::size_t k, std::vector<std::uint32_t>& last_seen
       }
       if (last_seen[member.facet] != k) ++sighted.pixels;
       last_seen[member.facet] = static_cast<std::uint32_t>(k);
-      sighted.length += std::max(0.0, end.t - list[s].begin.t);
+      sighted.length += length(k, list[s].begin, end);
       if (!sighted.inner && inner(list[s], member)) find_glimpse(pixel(k), list[s].begin, end, sighted);
     }
   }
+}
+
+/// Of the path, between two events: to 2^-45.
+template <Arithmetic A>
+double Block<A>::length(std::size_t k, const Event& begin, const Event& end) const {
+  if constexpr (A != Arithmetic::doubles)
+    if (!(begin.error + end.error < 0x1p-46))
+      return CGAL::to_double(exact(pixel(k), end) - exact(pixel(k), begin));
+  return std::max(0.0, end.t - begin.t);
 }
 
 /// R10°, but for where the viewpoints lie: the triangle's relative interior is hit, and what else is hit

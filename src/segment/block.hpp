@@ -125,6 +125,7 @@ class Block {
   PixelSights sights_of(std::size_t k) const;
   bool inner(const Sighting& s, const Member& m);
   void find_glimpse(const Pixel& at, const Event& begin, const Event& end, Sighted& sighted) const;
+  double length(std::size_t k, const Event& begin, const Event& end) const;
   /// Of plain doubles the rounded time: what they take for an event need not be one.
   ExactTime exact(const Pixel& at, const Event& e) const {
     if constexpr (A == Arithmetic::doubles) return std::isfinite(e.t) ? ExactTime(e.t) : ExactTime(0);

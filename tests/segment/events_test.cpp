@@ -105,7 +105,7 @@ TEST_CASE("each tier decides what only it can") {
   CHECK(tier(a, b, e, f, Sign::zero) == Tier::interval);
   // Times that differ by less than float64 can tell, and times that do not differ though nothing is small.
   const Vec3d near_a{0.1, -1, -2}, near_b{0.1, 1, -2}, far_c{0.1, -1.1, -3.3}, far_d{0.1, 1.7, -3.3};
-  CHECK(tier(near_a, near_b, far_c, far_d, Sign::zero) == Tier::mpfr);
+  CHECK(tier(near_a, near_b, far_c, far_d, Sign::zero) == Tier::exact);
 }
 
 TEST_CASE("float64 settles nearly everything along a segment through a soup in general position") {
