@@ -79,10 +79,11 @@ class Traversal {
   void run(const Window& part);
 
  private:
-  static constexpr std::size_t leaf_size = 64;
-  static constexpr std::size_t largest_patch = 128;  ///< of a rectangle that is about to be halved
-  static constexpr std::size_t most_alone = 2;       ///< facets of a leaf that are decided one by one
-  static constexpr int most_stalls = 3;              ///< halvings in a row that separate nothing
+  static constexpr bool quick = A == Arithmetic::chain || A == Arithmetic::doubles;
+  static constexpr std::size_t leaf_size = quick ? 64 : 32;  ///< one by one, facets cost the square of it
+  static constexpr std::size_t largest_patch = 128;          ///< of a rectangle that is about to be halved
+  static constexpr std::size_t most_alone = 2;               ///< facets of a leaf that are decided one by one
+  static constexpr int most_stalls = 3;                      ///< halvings in a row that separate nothing
   /// Where a fan's vertex meets a halving line, one half keeps the whole fan for as long as there are
   /// numbers.
   static constexpr int most_depth = 40;
@@ -216,7 +217,7 @@ void Traversal<A, E>::resolve(const Tile& tile, const Items& items) {
   Leaf<A, E> leaf(signs_, facets_, lines_, tile, members);
   for (const std::uint32_t f : members)
     if (!seen_.get(slot(f))) open.push_back(f);
-  if constexpr (A == Arithmetic::chain || A == Arithmetic::doubles)
+  if constexpr (quick)
     resolve_quickly(leaf, tile, members, open);
   else
     for (const std::uint32_t f : open) {
