@@ -20,12 +20,7 @@ bool starts_in(const ViewCell& cell, const ExactRay& ray) {
 /// Whether the closed window, if there is one, holds the direction.
 bool in_window(const ViewCell& cell, const ExactRay& ray) {
   if (!cell.window) return true;
-  const ViewGeometry g = make_geometry(cell.lower, *cell.window, false);
-  const Window& w = cell.window->window;
-  const auto side = [&](const Vec3<N>& line) { return sign_of(dot(line, ray.direction())) * g.handedness; };
-  return side(image_side<N>(g)) == Sign::positive && side(x_border<N>(g, w.x0)) != Sign::negative &&
-         side(x_border<N>(g, w.x1)) != Sign::positive && side(y_border<N>(g, w.y0)) != Sign::negative &&
-         side(y_border<N>(g, w.y1)) != Sign::positive;
+  return passes_window(make_geometry(cell.lower, *cell.window, false), cell.window->window, ray.direction());
 }
 
 }  // namespace

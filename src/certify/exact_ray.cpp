@@ -143,6 +143,14 @@ bool ExactRay::may_meet(const Box& box) const {
          slab(box.lower.z, box.upper.z, origin_bounds_.z, direction_bounds_.z);
 }
 
+bool passes_window(const ViewGeometry& g, const Window& w, const Vec3<ExactNumber>& ray) {
+  using N = ExactNumber;
+  const auto side = [&](const Vec3<N>& line) { return sign_of(dot(line, ray)) * g.handedness; };
+  return side(image_side<N>(g)) == Sign::positive && side(x_border<N>(g, w.x0)) != Sign::negative &&
+         side(x_border<N>(g, w.x1)) != Sign::positive && side(y_border<N>(g, w.y0)) != Sign::negative &&
+         side(y_border<N>(g, w.y1)) != Sign::positive;
+}
+
 bool coplanar(const Scene& scene, std::size_t first, std::size_t second) {
   const Vec3d &a = scene.corner(first, 0), &b = scene.corner(first, 1), &c = scene.corner(first, 2);
   const auto height = [&]<class T>(const Vec3d& p) {

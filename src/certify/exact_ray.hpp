@@ -5,6 +5,7 @@
 
 #include "predicates/exact_number.hpp"
 #include "predicates/interval.hpp"
+#include "predicates/view_geometry.hpp"
 #include "provis/scene.hpp"
 #include "provis/visible_set.hpp"
 #include "src/certify/box_tree.hpp"
@@ -45,6 +46,10 @@ class ExactRay {
   Vec3<ExactNumber> origin_, direction_;
   Vec3<Interval> origin_bounds_, direction_bounds_;
 };
+
+/// Whether a ray of a finite eye in this direction, or one of an eye at infinity through this point seen from
+/// the eye, passes the closed window on the viewer's side.
+bool passes_window(const ViewGeometry& g, const Window& window, const Vec3<ExactNumber>& ray);
 
 /// Whether both triangles, neither of zero area, lie in one plane.
 bool coplanar(const Scene& scene, std::size_t first, std::size_t second);

@@ -73,7 +73,6 @@ bool PointRays::belongs(const ExactRay& ray) const {
 bool PointRays::in_frame(const ExactRay& ray, std::size_t frame) const {
   using N = ExactNumber;
   const ViewGeometry& g = frames_[frame];
-  const Window& w = view_.frames[frame].window;
   const Vec3<N> from_eye = ray.origin() - numbers<N>(g.eye);
   const auto zero = [](const Vec3<N>& v) { return sign_of(dot(v, v)) == Sign::zero; };
   if (g.at_infinity) {
@@ -85,11 +84,8 @@ bool PointRays::in_frame(const ExactRay& ray, std::size_t frame) const {
   } else if (!zero(from_eye)) {
     return false;
   }
-  const Vec3<N> q = g.at_infinity ? sheared(g, from_eye, 1) : ray.direction();
-  const auto within = [&](const Vec3<N>& line) { return sign_of(dot(line, q)) * g.handedness; };
-  return within(image_side<N>(g)) == Sign::positive && within(x_border<N>(g, w.x0)) != Sign::negative &&
-         within(x_border<N>(g, w.x1)) != Sign::positive && within(y_border<N>(g, w.y0)) != Sign::negative &&
-         within(y_border<N>(g, w.y1)) != Sign::positive;
+  return passes_window(g, view_.frames[frame].window,
+                       g.at_infinity ? sheared(g, from_eye, 1) : ray.direction());
 }
 
 void WitnessChecker::check_hit(const ExactRay& ray, PrimitiveId target) const {

@@ -7,8 +7,6 @@
 namespace provis::offset {
 namespace {
 
-double at(const Vec3d& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-
 Vec3d unit(int axis, double length) {
   Vec3d v;
   component(v, axis) = length;
@@ -30,12 +28,12 @@ Raster make_raster(const Frame& frame, int columns, int rows) {
 }
 
 Face make_face(const ViewCell& cell, int axis, bool upper) {
-  Face f{axis, upper, at(upper ? cell.upper : cell.lower, axis), {}};
+  Face f{axis, upper, component(upper ? cell.upper : cell.lower, axis), {}};
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   for (std::size_t k = 0; k < 4; ++k) {
     component(f.corners[k], axis) = f.height;
-    component(f.corners[k], i) = at(k == 1 || k == 2 ? cell.upper : cell.lower, i);
-    component(f.corners[k], j) = at(k >= 2 ? cell.upper : cell.lower, j);
+    component(f.corners[k], i) = component(k == 1 || k == 2 ? cell.upper : cell.lower, i);
+    component(f.corners[k], j) = component(k >= 2 ? cell.upper : cell.lower, j);
   }
   return f;
 }
@@ -46,7 +44,8 @@ bool leads_beyond(const Frame& f, const Face& face) {
   for (const double x : {f.window.x0, f.window.x1})
     for (const double y : {f.window.y0, f.window.y1}) {
       const Sign s = certain_sign([&]<class N>() {
-        return N(at(f.forward, face.axis)) + N(x) * N(at(f.right, face.axis)) + N(y) * N(at(f.up, face.axis));
+        return N(component(f.forward, face.axis)) + N(x) * N(component(f.right, face.axis)) +
+               N(y) * N(component(f.up, face.axis));
       });
       if (s == (face.upper ? Sign::positive : Sign::negative)) return true;
     }
@@ -55,11 +54,14 @@ bool leads_beyond(const Frame& f, const Face& face) {
 
 }  // namespace
 
-double Face::beyond(const Vec3d& p) const { return upper ? at(p, axis) - height : height - at(p, axis); }
+double Face::beyond(const Vec3d& p) const {
+  return upper ? component(p, axis) - height : height - component(p, axis);
+}
 
 Face Face::half(int edge, bool upper_half) const {
   const int along = (axis + 1 + edge) % 3;
-  const double lo = at(corners[0], along), hi = at(corners[2], along), middle = 0.5 * lo + 0.5 * hi;
+  const double lo = component(corners[0], along), hi = component(corners[2], along),
+               middle = 0.5 * lo + 0.5 * hi;
   Face f = *this;
   if (!(lo < middle && middle < hi)) return f;
   for (Vec3d& c : f.corners)
@@ -69,7 +71,7 @@ Face Face::half(int edge, bool upper_half) const {
 
 std::vector<Face> faces_of(const ViewCell& cell) {
   for (int axis = 0; axis < 3; ++axis)
-    if (at(cell.lower, axis) == at(cell.upper, axis))
+    if (component(cell.lower, axis) == component(cell.upper, axis))
       return {make_face(cell, axis, false), make_face(cell, axis, true)};
   std::vector<Face> faces;
   for (int axis = 0; axis < 3; ++axis)

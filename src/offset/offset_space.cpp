@@ -1,18 +1,16 @@
 #include "src/offset/offset_space.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 #include "predicates/environment.hpp"
 #include "provis/error.hpp"
 #include "src/offset/beam.hpp"
 #include "src/scene/parallel.hpp"
+#include "src/scene/stopwatch.hpp"
 
 namespace provis::offset {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// One face with everything that its rasters share.
 struct Outlook {
@@ -273,12 +271,12 @@ UpperSet reach(const Scene& scene, const ViewCell& cell, const std::vector<char>
     });
     parallel_queue(tasks.size(), [&](std::size_t k) {
       const RoundUp guard;
-      const auto start = Clock::now();
+      const Stopwatch stopwatch;
       Descent descent(*outlooks[tasks[k].face], tasks[k].raster, wanted, refinements, context);
       descent.run();
       tasks[k].reached = descent.reached();
       tasks[k].stats = descent.stats();
-      tasks[k].stats.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      tasks[k].stats.seconds = stopwatch.seconds();
     });
   });
 

@@ -12,8 +12,6 @@
 namespace provis::offset {
 namespace {
 
-double at(const Vec3d& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-
 bool before(const Vec3d& a, const Vec3d& b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
@@ -21,8 +19,8 @@ bool before(const Vec3d& a, const Vec3d& b) {
 /// Whether m lies strictly inside the segment from a to b, none of them equal.
 bool inside_segment(const Vec3d& a, const Vec3d& b, const Vec3d& m) {
   for (int axis = 0; axis < 3; ++axis) {
-    const double p = at(a, axis), q = at(b, axis);
-    if (at(m, axis) < std::min(p, q) || at(m, axis) > std::max(p, q)) return false;
+    const double p = component(a, axis), q = component(b, axis);
+    if (component(m, axis) < std::min(p, q) || component(m, axis) > std::max(p, q)) return false;
   }
   for (int axis = 0; axis < 3; ++axis) {
     const Sign s = certain_sign([&]<class N>() {
@@ -92,7 +90,7 @@ std::size_t PointTree::build(std::size_t begin, std::size_t end) {
   const auto at_offset = [&](std::size_t k) { return order_.begin() + static_cast<std::ptrdiff_t>(k); };
   std::nth_element(at_offset(begin), at_offset(middle), at_offset(end),
                    [&](std::uint32_t i, std::uint32_t j) {
-                     const double x = at(*points_[i], axis), y = at(*points_[j], axis);
+                     const double x = component(*points_[i], axis), y = component(*points_[j], axis);
                      return x != y ? x < y : i < j;
                    });
   build(begin, middle);
@@ -105,7 +103,8 @@ std::size_t PointTree::build(std::size_t begin, std::size_t end) {
 bool PointTree::may_meet(const Node& n, const Vec3d& a, const Vec3d& b) {
   double from = 0, to = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    const double lo = at(n.lower, axis), hi = at(n.upper, axis), p = at(a, axis), q = at(b, axis);
+    const double lo = component(n.lower, axis), hi = component(n.upper, axis), p = component(a, axis),
+                 q = component(b, axis);
     if ((p < lo && q < lo) || (p > hi && q > hi)) return false;
     if (p == q) continue;
     const Interval way = Interval(q) - Interval(p);

@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "predicates/for_policy.hpp"
 #include "src/point/effects.hpp"
 #include "src/point/guard.hpp"
 #include "src/point/parts.hpp"
@@ -53,22 +54,6 @@ Outcome resolve_frame(const Scene& scene, const FrameQuery& query, const std::ve
 }
 
 using FrameEngine = Outcome (*)(const Scene&, const FrameQuery&, const std::vector<std::uint8_t>&);
-
-/// What `make`, a callable with a policy as its template argument, makes of the policy.
-template <class Make>
-FrameEngine for_policy(Arithmetic arithmetic, const Make& make) {
-  switch (arithmetic) {
-    case Arithmetic::doubles:
-      return make.template operator()<Arithmetic::doubles>();
-    case Arithmetic::chain:
-      return make.template operator()<Arithmetic::chain>();
-    case Arithmetic::mpfr:
-      return make.template operator()<Arithmetic::mpfr>();
-    case Arithmetic::exact:
-      return make.template operator()<Arithmetic::exact>();
-  }
-  throw Error(Error::Code::usage, "arithmetic", "unknown policy");
-}
 
 /// The engine compiled for a policy and at least these effects.
 FrameEngine doubles_engine(QueryEffects effects);

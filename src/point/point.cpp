@@ -1,16 +1,14 @@
 #include "provis/point.hpp"
 
-#include <chrono>
-#include <ctime>
-
 #include "predicates/environment.hpp"
-#include "predicates/on_triangle.hpp"
 #include "provis/check_doubles.hpp"
 #include "provis/effects.hpp"
 #include "provis/error.hpp"
 #include "src/point/engine_paper.hpp"
 #include "src/point/engine_sampling.hpp"
+#include "src/scene/on_occluder.hpp"
 #include "src/scene/parallel.hpp"
+#include "src/scene/stopwatch.hpp"
 
 namespace provis {
 namespace {
@@ -53,33 +51,6 @@ void check(const PointOptions& options) {
     refuse("pixels", "a frame needs 1 to 16384 pixels each way");
   if (!in(options.samples, most_samples)) refuse("samples", "a pixel needs 1 to 256 samples each way");
 }
-
-bool lies_on_occluder(const Scene& scene, const Vec3d& eye) {
-  for (std::size_t t = 0; t < scene.triangles().size(); ++t)
-    if (!(scene.triangle_flags()[t] & see_through) &&
-        on_triangle(eye, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2)))
-      return true;
-  return false;
-}
-
-double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-/// Wall clock and processor time since it was made.
-class Stopwatch {
- public:
-  void read(QueryStats& stats) const {
-    stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
-    stats.cpu_seconds = cpu_seconds() - cpu_;
-  }
-
- private:
-  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
-  double cpu_ = cpu_seconds();
-};
 
 /// A query and how it is answered.
 struct Request {
@@ -137,7 +108,7 @@ VisibleSet answer(const Request& request) {
       choose_engine(options, {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});
   const Stopwatch stopwatch;
   VisibleSet set = on_threads(request.context, [&] { return run_frames(request, engine); });
-  set.eye_on_primitive = view.projection != Projection::parallel && lies_on_occluder(scene, view.eye);
+  set.eye_on_primitive = view.projection != Projection::parallel && on_occluder(scene, view.eye);
   set.stats.threads = thread_count(context);
   set.stats.checked = checked;
   stopwatch.read(set.stats);

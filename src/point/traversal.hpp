@@ -3,13 +3,13 @@
 // outside or behind, and resolves what is left.
 
 #include <atomic>
-#include <mutex>
 
 #include "provis/point.hpp"
 #include "src/point/arrangement.hpp"
 #include "src/point/leaf_subdivision.hpp"
 #include "src/point/outcome.hpp"
 #include "src/point/patch.hpp"
+#include "src/scene/progress_meter.hpp"
 
 namespace provis {
 
@@ -32,23 +32,6 @@ class Seen {
  private:
   std::atomic_ref<std::uint8_t> ref(std::uint32_t slot) { return std::atomic_ref(flags_[slot]); }
   std::vector<std::uint8_t> flags_;
-};
-
-/// Reports progress for the whole query, from one thread at a time.
-class ProgressMeter {
- public:
-  ProgressMeter(const Context& context, double total) : context_(context), total_(total) {}
-  void add(double share) {
-    if (!context_.on_progress) return;
-    const std::lock_guard lock(mutex_);
-    done_ += share;
-    context_.on_progress({done_, total_});
-  }
-
- private:
-  const Context& context_;
-  double total_, done_ = 0;
-  std::mutex mutex_;
 };
 
 struct FrameQuery {

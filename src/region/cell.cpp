@@ -1,9 +1,7 @@
 #include "provis/cell.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include "predicates/environment.hpp"
 #include "provis/error.hpp"
@@ -13,6 +11,7 @@
 #include "src/region/lower.hpp"
 #include "src/region/viewpoints.hpp"
 #include "src/scene/parallel.hpp"
+#include "src/scene/stopwatch.hpp"
 
 namespace provis {
 namespace {
@@ -30,16 +29,6 @@ void check(const CellOptions& o) {
   if (!in(o.refinements, 0, most_refinements)) refuse("refinements", "0 to 32");
   if (!in(o.viewpoints, 0, most_viewpoints)) refuse("viewpoints", "0 to 65536");
   if (!in(o.directions, 0, most_directions)) refuse("directions", "0 to 256");
-}
-
-double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// One query on its way to the answer.
@@ -79,21 +68,21 @@ void Query::settle_contacts() {
 void Query::find_lower() {
   const bool flat =
       cell_.lower.x == cell_.upper.x || cell_.lower.y == cell_.upper.y || cell_.lower.z == cell_.upper.z;
-  auto start = std::chrono::steady_clock::now();
+  const Stopwatch looking;
   const std::vector<Vec3d> viewpoints = free_viewpoints(scene_, cell_, options_.viewpoints, options_.seed);
   if (viewpoints.empty() && flat)
     throw Error(Error::Code::unsupported, "cell", "no viewpoint was found that lies on no occluder");
   BoundStats& b = result_.bounds;
   b.viewpoints_used = viewpoints.size();
   b.viewpoints = lower_.look_from(viewpoints);
-  b.seconds_viewpoints = seconds_since(start);
-  start = std::chrono::steady_clock::now();
+  b.seconds_viewpoints = looking.seconds();
+  const Stopwatch sampling;
   b.samples = lower_.look_along(options_.directions, b.samples_used);
-  b.seconds_samples = seconds_since(start);
+  b.seconds_samples = sampling.seconds();
 }
 
 void Query::find_upper() {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   std::vector<char> wanted(scene_.primitive_count(), 0);
   for (PrimitiveId id = 0; id < wanted.size(); ++id)
     wanted[id] = contacts_[id] == Contact::apart && !lower_.holds(id);
@@ -102,7 +91,7 @@ void Query::find_upper() {
   for (PrimitiveId id = 0; id < wanted.size(); ++id)
     result_.set.status[id] = upper.reached[id] ? Status::undecided : Status::hidden;
   result_.offset = upper.stats;
-  result_.bounds.seconds_upper = seconds_since(start);
+  result_.bounds.seconds_upper = stopwatch.seconds();
 }
 
 /// What R9 settles, then what has a witness.
@@ -144,8 +133,7 @@ void Query::conclude() {
 }
 
 CellSet Query::answer() {
-  const auto start = std::chrono::steady_clock::now();
-  const double cpu = cpu_seconds();
+  const Stopwatch stopwatch;
   result_.set.answers = "R9";
   result_.set.status.assign(scene_.primitive_count(), Status::undecided);
   settle_contacts();
@@ -153,8 +141,7 @@ CellSet Query::answer() {
   if (options_.method != CellMethod::lower) find_upper();
   conclude();
   result_.set.stats.threads = thread_count(context_);
-  result_.set.stats.seconds = seconds_since(start);
-  result_.set.stats.cpu_seconds = cpu_seconds() - cpu;
+  stopwatch.read(result_.set.stats);
   return std::move(result_);
 }
 

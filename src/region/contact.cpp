@@ -13,8 +13,6 @@ namespace {
 using N = ExactNumber;
 using Corners = std::array<Vec3d, 8>;
 
-double at(const Vec3d& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-
 Corners corners_of(const ViewCell& cell) {
   Corners c;
   for (std::size_t k = 0; k < 8; ++k)
@@ -43,8 +41,12 @@ class Touch {
     const Vec3<T> o = numbers<T>(p_[0]);
     return cross(numbers<T>(p_[1]) - o, numbers<T>(p_[2]) - o);
   }
-  double least(int axis) const { return std::min({at(p_[0], axis), at(p_[1], axis), at(p_[2], axis)}); }
-  double greatest(int axis) const { return std::max({at(p_[0], axis), at(p_[1], axis), at(p_[2], axis)}); }
+  double least(int axis) const {
+    return std::min({component(p_[0], axis), component(p_[1], axis), component(p_[2], axis)});
+  }
+  double greatest(int axis) const {
+    return std::max({component(p_[0], axis), component(p_[1], axis), component(p_[2], axis)});
+  }
   bool separates(const Vec3<N>& axis) const;
   bool overlaps_face(int axis) const;
   /// Whether some direction of the window has a positive product with the vector.
@@ -82,8 +84,8 @@ bool Touch::separates(const Vec3<N>& axis) const {
 // across an axis, along the triangle, or across an axis and an edge.
 bool Touch::meets_interior() const {
   for (int axis = 0; axis < 3; ++axis)
-    if (!(least(axis) < at(cell_.upper, axis) && greatest(axis) > at(cell_.lower, axis)) ||
-        !(at(cell_.lower, axis) < at(cell_.upper, axis)))
+    if (!(least(axis) < component(cell_.upper, axis) && greatest(axis) > component(cell_.lower, axis)) ||
+        !(component(cell_.lower, axis) < component(cell_.upper, axis)))
       return false;
   if (separates(normal())) return false;
   const Vec3<N> axes[3] = {{N(1), N(0), N(0)}, {N(0), N(1), N(0)}, {N(0), N(0), N(1)}};
@@ -112,11 +114,11 @@ bool Touch::shows_inside() const { return !one_sided_ || some_direction_along(-n
 bool Touch::overlaps_face(int axis) const {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   for (const int k : {i, j})
-    if (!(least(k) < at(cell_.upper, k) && greatest(k) > at(cell_.lower, k))) return false;
+    if (!(least(k) < component(cell_.upper, k) && greatest(k) > component(cell_.lower, k))) return false;
   const auto across = [&](const Vec3d& a, const Vec3d& b) {
     Vec3<N> v{N(0), N(0), N(0)};
-    component(v, i) = N(at(b, j)) - N(at(a, j));
-    component(v, j) = N(at(a, i)) - N(at(b, i));
+    component(v, i) = N(component(b, j)) - N(component(a, j));
+    component(v, j) = N(component(a, i)) - N(component(b, i));
     return v;
   };
   for (std::size_t k = 0; k < 3; ++k)
@@ -126,10 +128,10 @@ bool Touch::overlaps_face(int axis) const {
 
 bool Touch::shows_on_a_face() const {
   for (int axis = 0; axis < 3; ++axis)
-    if (!(at(cell_.lower, axis) < at(cell_.upper, axis))) return false;
+    if (!(component(cell_.lower, axis) < component(cell_.upper, axis))) return false;
   for (int axis = 0; axis < 3; ++axis)
     for (const bool upper : {false, true}) {
-      const double h = at(upper ? cell_.upper : cell_.lower, axis);
+      const double h = component(upper ? cell_.upper : cell_.lower, axis);
       if (least(axis) != h || greatest(axis) != h || !overlaps_face(axis)) continue;
       Vec3<N> out{N(0), N(0), N(0)};
       component(out, axis) = N(upper ? 1 : -1);

@@ -3,6 +3,7 @@
 #include <CGAL/Gmpq.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace provis {
 namespace {
@@ -23,31 +24,33 @@ bool between(const Rational& p, double a, double b, double c) {
   return p >= Rational(std::min({a, b, c})) && p <= Rational(std::max({a, b, c}));
 }
 
-/// The coordinate rounded, and then some.
-bool certainly_beyond(double p, double a, double b, double c) {
-  const double slack = 1e-12 * (std::fabs(p) + 1e-300);
-  return p < std::min({a, b, c}) - slack || p > std::max({a, b, c}) + slack;
+/// Float64 numbers around an exact one.
+using Bounds = std::pair<double, double>;
+
+bool certainly_beyond(const Bounds& p, double a, double b, double c) {
+  return p.second < std::min({a, b, c}) || p.first > std::max({a, b, c});
 }
 
 }  // namespace
 
 struct DyadicPoint::Numbers {
   Point exact;
-  Vec3d rounded;
+  Bounds x, y, z;
 };
 
 DyadicPoint::DyadicPoint(const Vec3<Dyadic>& p)
-    : numbers_(std::make_unique<Numbers>(Numbers{{value(p.x), value(p.y), value(p.z)}, {}})) {
+    : numbers_(std::make_unique<Numbers>(Numbers{{value(p.x), value(p.y), value(p.z)}, {}, {}, {}})) {
   const Point& e = numbers_->exact;
-  numbers_->rounded = {CGAL::to_double(e.x), CGAL::to_double(e.y), CGAL::to_double(e.z)};
+  numbers_->x = CGAL::to_interval(e.x);
+  numbers_->y = CGAL::to_interval(e.y);
+  numbers_->z = CGAL::to_interval(e.z);
 }
 
 DyadicPoint::~DyadicPoint() = default;
 
 bool DyadicPoint::lies_on(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
-  const Vec3d& r = numbers_->rounded;
-  if (certainly_beyond(r.x, a.x, b.x, c.x) || certainly_beyond(r.y, a.y, b.y, c.y) ||
-      certainly_beyond(r.z, a.z, b.z, c.z))
+  if (certainly_beyond(numbers_->x, a.x, b.x, c.x) || certainly_beyond(numbers_->y, a.y, b.y, c.y) ||
+      certainly_beyond(numbers_->z, a.z, b.z, c.z))
     return false;
   const Point& p = numbers_->exact;
   if (!between(p.x, a.x, b.x, c.x) || !between(p.y, a.y, b.y, c.y) || !between(p.z, a.z, b.z, c.z))

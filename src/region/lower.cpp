@@ -6,28 +6,26 @@
 #include "predicates/formulas.hpp"
 #include "provis/error.hpp"
 #include "src/region/dyadic_point.hpp"
-#include "src/region/viewpoints.hpp"
+#include "src/scene/on_occluder.hpp"
 
 namespace provis {
 namespace {
 
 using offset::Face;
 
-double at(const Vec3d& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-
 /// An occluder that lies in the face's plane and may overlap the rectangle: it blocks rays at their start
 /// (R9), which the parallel view does not see.
 bool lies_in(const Face& face, const Scene& scene, std::size_t t) {
   if (scene.triangle_flags()[t] & see_through) return false;
   for (int k = 0; k < 3; ++k)
-    if (at(scene.corner(t, k), face.axis) != face.height) return false;
+    if (component(scene.corner(t, k), face.axis) != face.height) return false;
   for (int axis = 0; axis < 3; ++axis) {
     double lo = HUGE_VAL, hi = -HUGE_VAL;
     for (int k = 0; k < 3; ++k) {
-      lo = std::min(lo, at(scene.corner(t, k), axis));
-      hi = std::max(hi, at(scene.corner(t, k), axis));
+      lo = std::min(lo, component(scene.corner(t, k), axis));
+      hi = std::max(hi, component(scene.corner(t, k), axis));
     }
-    if (hi < at(face.corners[0], axis) || lo > at(face.corners[2], axis)) return false;
+    if (hi < component(face.corners[0], axis) || lo > component(face.corners[2], axis)) return false;
   }
   return true;
 }
@@ -54,7 +52,8 @@ PointView offset_sample_view(const Face& face, double x, double y) {
   Frame f{{},
           {},
           {},
-          {at(face.corners[0], i), at(face.corners[2], i), at(face.corners[0], j), at(face.corners[2], j)}};
+          {component(face.corners[0], i), component(face.corners[2], i), component(face.corners[0], j),
+           component(face.corners[2], j)}};
   component(f.right, i) = 1;
   component(f.up, j) = 1;
   component(f.forward, face.axis) = face.upper ? 1 : -1;
@@ -66,7 +65,8 @@ PointView offset_sample_view(const Face& face, double x, double y) {
 
 bool has_area(const Face& f) {
   const int i = (f.axis + 1) % 3, j = (f.axis + 2) % 3;
-  return at(f.corners[0], i) < at(f.corners[2], i) && at(f.corners[0], j) < at(f.corners[2], j);
+  return component(f.corners[0], i) < component(f.corners[2], i) &&
+         component(f.corners[0], j) < component(f.corners[2], j);
 }
 
 PointView view_from(const ViewCell& cell, const Vec3d& eye) {

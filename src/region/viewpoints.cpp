@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "predicates/on_triangle.hpp"
+#include "src/scene/on_occluder.hpp"
 
 namespace provis {
 namespace {
@@ -33,14 +33,6 @@ Vec3d even_share(std::uint64_t k, std::uint64_t seed) {
 }
 
 }  // namespace
-
-bool on_occluder(const Scene& scene, const Vec3d& p) {
-  for (std::size_t t = 0; t < scene.triangles().size(); ++t)
-    if (!(scene.triangle_flags()[t] & see_through) &&
-        on_triangle(p, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2)))
-      return true;
-  return false;
-}
 
 std::vector<Vec3d> free_viewpoints(const Scene& scene, const ViewCell& cell, int more, std::uint64_t seed) {
   std::vector<Vec3d> points;

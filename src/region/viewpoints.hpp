@@ -11,12 +11,8 @@ namespace provis {
 /// spread evenly; those on an occluder are left out, and so are repetitions.
 ///
 /// Guarantee:  float64 points of the closed cell, on no opaque triangle (decided exactly); the same for the
-/// same
-///             arguments
+///             same arguments
 /// Source:     the points: M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018
 std::vector<Vec3d> free_viewpoints(const Scene& scene, const ViewCell& cell, int more, std::uint64_t seed);
-
-/// Whether an opaque triangle holds the point.
-bool on_occluder(const Scene& scene, const Vec3d& p);
 
 }  // namespace provis
