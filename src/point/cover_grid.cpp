@@ -45,6 +45,8 @@ void CoverGrid::descend(const Cover& cover, const Screen& screen, std::size_t le
                         unsigned open) {
   const int n = 1 << level;
   const Window block = grid_.block(i * n, j * n, n);
+  // It would change nothing here: so the order of covers does not matter.
+  if (!(at(level, i, j) < screen.depth_bound(cover.depth.highest(block), cover.at_eye))) return;
   for (unsigned k = 0; k < 3; ++k) {
     if (!(open & 1u << k)) continue;
     if (cover.edges[k].highest(block) < 0) return;

@@ -9,6 +9,7 @@
 #include "provis/error.hpp"
 #include "src/point/effects.hpp"
 #include "src/point/fragment.hpp"
+#include "src/point/front_to_back.hpp"
 #include "src/point/leaf_lines.hpp"
 #include "src/point/witness_point.hpp"
 
@@ -31,15 +32,19 @@ class Leaf {
       : signs_(signs),
         facets_(facets.facets),
         tile_(tile),
-        members_(members),
+        members_(front_to_back(facets.facets, members, tile.window)),
         lines_(signs, facets, part),
         cutter_(signs, part.points) {}
 
   /// Whether one ray in the middle of facet t certainly shows it; the rest of the answer is open.
   bool glance(std::uint32_t t, Sight& sight);
 
-  /// Whether one of a few rays in what plain polygons leave of it does.
-  bool glimpse(std::uint32_t t, Sight& sight);
+  /// The occluders that may come before facet t somewhere in the tile, front to back.
+  std::vector<std::uint32_t> rivals(std::uint32_t t) const;
+
+  /// Whether one of a few rays in what plain polygons leave of it does. `waiting` holds its rivals;
+  /// those that blocked one come first afterwards.
+  bool glimpse(std::uint32_t t, std::vector<std::uint32_t>& waiting, Sight& sight);
 
   /// Whether facet t is visible within the tile.
   Sight look(std::uint32_t t);
@@ -48,6 +53,7 @@ class Leaf {
   /// at the hit (R11). Requires: sight is what look(t) gave.
   WitnessPoint witness(std::uint32_t t, const Sight& sight);
 
+  const std::vector<OrderedFacet>& members() const { return members_; }
   LeafLines<A>& lines() { return lines_; }
   CellCutter<A>& cutter() { return cutter_; }
 
@@ -61,7 +67,7 @@ class Leaf {
 
   static constexpr int most_rounds = 4;  ///< of a glimpse: what is seen is mostly seen at once
 
-  Members others(std::uint32_t t) const;
+  PolygonCorner middle(const Polygon& polygon) const;
   void show(Sight& sight, const PolygonCorner& at) const;
   bool shows(std::uint32_t t, const PolygonCorner& at);
   Meeting meet(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
@@ -81,7 +87,7 @@ class Leaf {
   Signs<A>& signs_;
   const std::vector<Facet>& facets_;
   const Tile& tile_;
-  const std::vector<std::uint32_t>& members_;
+  std::vector<OrderedFacet> members_;  ///< front to back
   LeafLines<A> lines_;
   CellCutter<A> cutter_;
   CellSigns scratch_;
@@ -143,13 +149,31 @@ bool Leaf<A, E>::too_many(std::size_t pieces) const {
   return false;
 }
 
-/// The occluders that may hide t.
 template <Arithmetic A, QueryEffects E>
-typename Leaf<A, E>::Members Leaf<A, E>::others(std::uint32_t t) const {
+typename Leaf<A, E>::Members Leaf<A, E>::rivals(std::uint32_t t) const {
+  const Facet& g = facets_[t];
+  const Window where = intersection(g.box, tile_.window);
+  const double farthest = g.depth.lowest(where);
   Members list;
-  for (const std::uint32_t o : members_)
-    if (o != t && (!E.see_through || facets_[o].occludes)) list.push_back(o);
+  for (const auto& [o, nearest] : members_) {
+    const Facet& f = facets_[o];
+    if (!f.occludes || nearest < farthest) break;
+    if (o == t || !overlap(f.box, where)) continue;
+    const Window both = intersection(f.box, where);
+    if (difference(f.depth, g.depth).highest(both) < 0) continue;
+    if (std::none_of(std::begin(f.inside), std::end(f.inside),
+                     [&](const WindowFunction& e) { return e.highest(both) < 0; }))
+      list.push_back(o);
+  }
   return list;
+}
+
+/// Rounding may leave the tile, which is all that is known of the members.
+template <Arithmetic A, QueryEffects E>
+PolygonCorner Leaf<A, E>::middle(const Polygon& polygon) const {
+  const PolygonCorner at = polygon.middle();
+  const Window& w = tile_.window;
+  return {std::clamp(at.x, w.x0, w.x1), std::clamp(at.y, w.y0, w.y1)};
 }
 
 template <Arithmetic A, QueryEffects E>
@@ -160,10 +184,10 @@ void Leaf<A, E>::show(Sight& sight, const PolygonCorner& at) const {
 
 template <Arithmetic A, QueryEffects E>
 Sight Leaf<A, E>::look(std::uint32_t t) {
+  Members waiting = rivals(t);
   // The slow policies are there to take signs.
   if constexpr (A == Arithmetic::chain || A == Arithmetic::doubles)
-    if (Sight sight; glimpse(t, sight)) return sight;
-  Members waiting = others(t);
+    if (Sight sight; glimpse(t, waiting, sight)) return sight;
   return subtract_all(t, waiting);
 }
 
@@ -172,12 +196,13 @@ bool Leaf<A, E>::glance(std::uint32_t t, Sight& sight) {
   Polygon fragment(tile_.window);
   for (const WindowFunction& e : facets_[t].inside) fragment = fragment.clipped(e, 1);
   if (fragment.empty()) return false;
-  const PolygonCorner at = fragment.middle();
+  const PolygonCorner at = middle(fragment);
   if (!shows(t, at)) return false;
-  const auto blocks = [&](std::uint32_t o) {
-    return o != t && (!E.see_through || facets_[o].occludes) && meet(o, t, at) == Meeting::blocked;
-  };
-  if (std::any_of(members_.begin(), members_.end(), blocks)) return false;
+  const double farthest = facets_[t].depth.at(at.x, at.y) - facets_[t].depth.error;
+  for (const auto& [o, nearest] : members_) {
+    if (!facets_[o].occludes || nearest < farthest) break;
+    if (o != t && meet(o, t, at) == Meeting::blocked) return false;
+  }
   show(sight, at);
   return true;
 }
@@ -243,8 +268,7 @@ typename Leaf<A, E>::Meeting Leaf<A, E>::meet(std::uint32_t o, std::uint32_t t, 
 }
 
 template <Arithmetic A, QueryEffects E>
-bool Leaf<A, E>::glimpse(std::uint32_t t, Sight& sight) {
-  Members waiting = others(t);
+bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, Sight& sight) {
   std::vector<Polygon> pieces{Polygon(tile_.window)};
   for (const WindowFunction& e : facets_[t].inside) pieces[0] = pieces[0].clipped(e, 1);
   const double least =
@@ -254,7 +278,7 @@ bool Leaf<A, E>::glimpse(std::uint32_t t, Sight& sight) {
     const Polygon& piece = *std::max_element(
         pieces.begin(), pieces.end(), [](const Polygon& p, const Polygon& q) { return p.area() < q.area(); });
     if (!(piece.area() > least)) return false;
-    const PolygonCorner at = piece.middle();
+    const PolygonCorner at = middle(piece);
     if (!shows(t, at)) return false;
     const auto next = std::find_if(waiting.begin(), waiting.end(),
                                    [&](std::uint32_t o) { return meet(o, t, at) == Meeting::blocked; });
@@ -341,8 +365,9 @@ bool Leaf<A, E>::misses(std::uint32_t o, std::uint32_t t, const Vec3<ExactNumber
 template <Arithmetic A, QueryEffects E>
 template <class Clear>
 bool Leaf<A, E>::clear_of_all(std::uint32_t t, const Clear& clear) const {
-  return std::all_of(members_.begin(), members_.end(),
-                     [&](std::uint32_t o) { return o == t || !facets_[o].occludes || clear(o); });
+  return std::all_of(members_.begin(), members_.end(), [&](const OrderedFacet& m) {
+    return m.facet == t || !facets_[m.facet].occludes || clear(m.facet);
+  });
 }
 
 template <Arithmetic A, QueryEffects E>
@@ -357,7 +382,7 @@ WitnessPoint Leaf<A, E>::witness(std::uint32_t t, const Sight& sight) {
     // The sample proved its own neighbourhood only: subtract everything to get a cell that is seen as a
     // whole.
     std::vector<Cell> pieces{std::move(cell)};
-    for (const std::uint32_t o : members_)
+    for (const auto& [o, nearest] : members_)
       if (o != t && facets_[o].occludes) subtract(o, t, pieces);
     if (pieces.empty()) throw Error(Error::Code::internal, "witness", "a sampled facet that is hidden");
     cell = std::move(pieces.back());

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <optional>
 #include <vector>
 
 #include "provis/error.hpp"
 #include "src/point/effects.hpp"
+#include "src/point/front_to_back.hpp"
 #include "src/point/leaf_lines.hpp"
 #include "src/point/tile.hpp"
 
@@ -24,10 +24,10 @@ class LeafSubdivision {
                   const Tile& tile);
 
   /// In any order; the nearest first makes the fewest cells. Occluders before see-through facets.
-  void insert(std::uint32_t facet);
+  void insert(const OrderedFacet& facet);
 
-  /// Keeps only what is in the facet's cone. From then on the other occluders are not inserted but
-  /// subtracted.
+  /// Begins anew, and keeps only what is in the facet's cone. From then on the other occluders are not
+  /// inserted but subtracted.
   void restrict_to(std::uint32_t facet);
 
   /// Takes away where the occluder is strictly nearer than the facet that the cells are restricted to; false
@@ -74,11 +74,19 @@ class LeafSubdivision {
     boost::container::small_vector<std::uint32_t, 2> nearest;  ///< occluders, all of one plane
     boost::container::small_vector<std::uint32_t, 2> before;   ///< see-through facets no farther than those
   };
+  struct Outline {  ///< of a cell, to pass most of them by
+    Window box;
+    double floor = -HUGE_VAL;  ///< what is nowhere as near is hidden in all of the cell
+  };
   using Marks = boost::container::small_vector<Sign, 12>;
 
   bool beside(const Facet& f, const Piece& piece);
   bool behind(const Facet& f, const Labelled& cell) const;
-  void begin(std::uint32_t facet);
+  void begin_anew();
+  void begin(std::uint32_t facet) { facet_ = facet, edges_ = no_id; }
+  std::uint32_t edge(std::uint32_t k);
+  void replace(std::size_t cell);
+  Outline outline(const Labelled& cell) const;
   enum class Meeting { none, tied, nearer };
   Meeting meet(Piece& inside, const Labelled& cell, std::uint32_t facet);
   void split(Labelled& cell, std::uint32_t facet);
@@ -108,10 +116,13 @@ class LeafSubdivision {
   CellCutter<A>& cutter_;
   const Tile& tile_;
   std::vector<Band> bands_;
-  std::uint32_t edges_ = 0;  ///< bands of the facet that is being inserted
+  std::uint32_t facet_ = 0;      ///< the one that is being inserted
+  std::uint32_t edges_ = no_id;  ///< its bands, which most facets never need
   std::vector<Corner> corners_;
-  std::deque<Direction> directions_;
+  std::vector<Direction> directions_;
   std::vector<Labelled> cells_, next_;
+  std::vector<Outline> outlines_;  ///< of cells_
+  double floor_ = -HUGE_VAL;       ///< of all cells
   Marks marks_;
 };
 
@@ -132,7 +143,6 @@ LeafSubdivision<A, E>::LeafSubdivision(Signs<A>& signs, const Facets& facets, Le
     band.facet = k;
     add(band);
   }
-  Labelled& whole = cells_.emplace_back();
   const bool positive = signs.geometry().handedness == Sign::positive;
   for (std::uint32_t k = 0; k < 4; ++k) {
     const std::uint32_t border = positive ? k : (4 - k) % 4, at = positive ? k : 3 - k;
@@ -146,10 +156,25 @@ LeafSubdivision<A, E>::LeafSubdivision(Signs<A>& signs, const Facets& facets, Le
     corner.direction = k;
     directions_.push_back(tile.corners[at]);
     corners_.push_back(corner);
-    whole.piece.sides.push_back(2 * border);
-    whole.piece.corners.push_back(k);
   }
-  whole.piece.box = w;
+  begin_anew();
+}
+
+/// Borders and corners of the tile stay.
+template <Arithmetic A, QueryEffects E>
+void LeafSubdivision<A, E>::begin_anew() {
+  bands_.resize(4);
+  corners_.resize(4);
+  directions_.resize(4);
+  cells_.clear();
+  Piece& whole = cells_.emplace_back().piece;
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    whole.sides.push_back(corners_[k].sides[0]);
+    whole.corners.push_back(k);
+  }
+  whole.box = tile_.window;
+  outlines_.assign(1, {tile_.window});
+  floor_ = -HUGE_VAL;
 }
 
 template <Arithmetic A, QueryEffects E>
@@ -165,7 +190,7 @@ bool LeafSubdivision<A, E>::beside(const Facet& f, const Piece& piece) {
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (f.inside[k].highest(piece.box) < 0) return true;
     if (f.inside[k].lowest(piece.box) > 0) continue;
-    const Band& band = bands_[edges_ + k];
+    const Band& band = bands_[edge(k)];
     if (std::all_of(piece.corners.begin(), piece.corners.end(), [&](std::uint32_t c) {
           return known_zero(band, corners_[c]) || quick_sign(band.function, corners_[c]) == Sign::negative;
         }))
@@ -187,33 +212,72 @@ bool LeafSubdivision<A, E>::behind(const Facet& f, const Labelled& cell) const {
   });
 }
 
+/// The band of one edge of the facet that is being inserted.
 template <Arithmetic A, QueryEffects E>
-void LeafSubdivision<A, E>::begin(std::uint32_t facet) {
-  const Facet& f = facets_[facet];
-  edges_ = static_cast<std::uint32_t>(bands_.size());
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    Band& edge = bands_.emplace_back();
-    edge.function = f.inside[k];
-    edge.facet = facet;
-    edge.other = k;
-    edge.points[0] = f.points[k];
-    edge.points[1] = f.points[(k + 1) % 3];
+std::uint32_t LeafSubdivision<A, E>::edge(std::uint32_t k) {
+  if (edges_ == no_id) {
+    const Facet& f = facets_[facet_];
+    edges_ = static_cast<std::uint32_t>(bands_.size());
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      Band& band = bands_.emplace_back();
+      band.function = f.inside[i];
+      band.facet = facet_;
+      band.other = i;
+      band.points[0] = f.points[i];
+      band.points[1] = f.points[(i + 1) % 3];
+    }
+  }
+  return edges_ + k;
+}
+
+template <Arithmetic A, QueryEffects E>
+void LeafSubdivision<A, E>::insert(const OrderedFacet& given) {
+  if (given.nearest < floor_) return;
+  const Facet& f = facets_[given.facet];
+  begin(given.facet);
+  const std::size_t before = cells_.size();
+  bool changed = false;
+  for (std::size_t k = 0; k < before; ++k) {
+    if (given.nearest < outlines_[k].floor || !overlap(f.box, outlines_[k].box)) continue;
+    if (behind(f, cells_[k]) || beside(f, cells_[k].piece)) continue;
+    Labelled cell = std::move(cells_[k]);
+    next_.clear();
+    split(cell, given.facet);
+    replace(k);
+    changed = true;
+  }
+  if (!changed) return;
+  floor_ = HUGE_VAL;
+  for (const Outline& o : outlines_) floor_ = std::min(floor_, o.floor);
+}
+
+/// What stands in next_ takes the place of the cell.
+template <Arithmetic A, QueryEffects E>
+void LeafSubdivision<A, E>::replace(std::size_t cell) {
+  if (next_.empty()) {
+    cells_[cell] = std::move(cells_.back());
+    outlines_[cell] = outlines_.back();
+    cells_.pop_back();
+    outlines_.pop_back();
+    return;
+  }
+  outlines_[cell] = outline(next_.front());
+  cells_[cell] = std::move(next_.front());
+  for (std::size_t k = 1; k < next_.size(); ++k) {
+    outlines_.push_back(outline(next_[k]));
+    cells_.push_back(std::move(next_[k]));
   }
 }
 
 template <Arithmetic A, QueryEffects E>
-void LeafSubdivision<A, E>::insert(std::uint32_t facet) {
-  const Facet& f = facets_[facet];
-  begin(facet);
-  const std::size_t before = cells_.size();
-  for (std::size_t k = 0; k < before; ++k) {
-    if (behind(f, cells_[k]) || beside(f, cells_[k].piece)) continue;
-    Labelled cell = std::move(cells_[k]);
-    next_.clear();
-    split(cell, facet);
-    cells_[k] = std::move(next_.front());
-    std::move(next_.begin() + 1, next_.end(), std::back_inserter(cells_));
-  }
+typename LeafSubdivision<A, E>::Outline LeafSubdivision<A, E>::outline(const Labelled& cell) const {
+  Outline o;
+  o.box = cell.piece.box;
+  // A bound that is not known may be NaN.
+  if (!cell.nearest.empty())
+    if (const double lowest = facets_[cell.nearest.front()].depth.lowest(o.box); lowest > o.floor)
+      o.floor = lowest;
+  return o;
 }
 
 /// Cells are faces of an arrangement of the lines, which bounds how many there can be.
@@ -227,15 +291,18 @@ bool LeafSubdivision<A, E>::too_many() const {
 
 template <Arithmetic A, QueryEffects E>
 void LeafSubdivision<A, E>::restrict_to(std::uint32_t facet) {
+  begin_anew();
   begin(facet);
   Labelled cell = std::move(cells_.front());
   cells_.clear();
+  outlines_.clear();
   next_.clear();
   if (beside(facets_[facet], cell.piece)) return;
   Piece inside = cell.piece;
   if (meet(inside, cell, facet) == Meeting::none) return;
   cell.piece = std::move(inside);
   cell.nearest.push_back(facet);
+  outlines_.push_back(outline(cell));
   cells_.push_back(std::move(cell));
 }
 
@@ -245,13 +312,10 @@ bool LeafSubdivision<A, E>::subtract(std::uint32_t occluder) {
   begin(occluder);
   const std::size_t before = cells_.size();
   for (std::size_t k = before; k-- > 0;) {
-    if (behind(f, cells_[k]) || beside(f, cells_[k].piece)) continue;
+    if (!overlap(f.box, outlines_[k].box) || behind(f, cells_[k]) || beside(f, cells_[k].piece)) continue;
     next_.clear();
     Piece inside = cells_[k].piece;
-    if (meet(inside, cells_[k], occluder) != Meeting::nearer) continue;
-    cells_[k] = std::move(cells_.back());
-    cells_.pop_back();
-    std::move(next_.begin(), next_.end(), std::back_inserter(cells_));
+    if (meet(inside, cells_[k], occluder) == Meeting::nearer) replace(k);
   }
   return !cells_.empty();
 }
@@ -264,7 +328,7 @@ typename LeafSubdivision<A, E>::Meeting LeafSubdivision<A, E>::meet(Piece& insid
   const Facet& f = facets_[facet];
   bool meets = true;
   for (std::uint32_t k = 0; k < 3 && meets; ++k) {
-    if (!(f.inside[k].lowest(inside.box) > 0)) meets = cut(inside, 2 * (edges_ + k), cell);
+    if (!(f.inside[k].lowest(inside.box) > 0)) meets = cut(inside, 2 * edge(k), cell);
   }
   if constexpr (E.front_clip)
     if (meets && f.cut) {

@@ -43,7 +43,9 @@ int side_for(std::size_t n, std::size_t each, int most) {
 
 /// From covers that reach over many cells to those that hardly cover one; extent_classes if it covers none.
 std::size_t extent_class(float cells) {
-  return cells >= 128 ? 0 : cells >= 32 ? 1 : cells >= 8 ? 2 : cells >= 1 ? 3 : 4;
+  std::size_t k = 0;
+  for (float most = 128; k < extent_classes && cells < most; most /= 4) ++k;
+  return k;
 }
 
 /// A distance typical of the scene, as seen from the eye: a few vertices are enough.
@@ -58,9 +60,10 @@ double typical_distance(const Scene& scene, const Vec3d& eye) {
 /// Where a triangle may have hits.
 struct Footprint {
   CellRange cells;
-  float depth = 0;      ///< nothing of it is nearer
-  bool placed = false;  ///< false: anywhere, at any depth
-  float extent = 0;     ///< in cells, the smaller of both; below 1 it covers no cell
+  float depth = 0;        ///< nothing of it is nearer
+  bool placed = false;    ///< false: anywhere, at any depth
+  float extent = 0;       ///< in cells, the smaller of both
+  bool may_cover = true;  ///< false: too small to hold a cell
 };
 
 }  // namespace
@@ -77,6 +80,7 @@ class Partition {
 
   void project();
   bool candidate(std::size_t t, Footprint& footprint) const;
+  static bool holds_a_cell(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c);
   bool faces_away(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) const;
   bool make_cover(std::size_t t, Cover& cover) const;
   bool may_cover(std::size_t t, const Footprint& footprint) const;
@@ -153,7 +157,7 @@ void Partition::project() {
 
 /// Whether the triangle may have a hit in the window; where.
 bool Partition::candidate(std::size_t t, Footprint& f) const {
-  f = {{0, cells_.side - 1, 0, cells_.side - 1}, 0, false, static_cast<float>(cells_.side)};
+  f = {{0, cells_.side - 1, 0, cells_.side - 1}, 0, false, static_cast<float>(cells_.side), true};
   if (!screen_.usable()) return true;
   const ScreenPoint &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
   if (a.code & b.code & c.code & beyond_any) return false;
@@ -169,8 +173,18 @@ bool Partition::candidate(std::size_t t, Footprint& f) const {
   f.cells = {cell(x0), cell(x1), cell(y0), cell(y1)};
   f.depth = std::max({a.depth, b.depth, c.depth});
   f.placed = true;
+  f.may_cover = holds_a_cell(a, b, c);
   f.extent = std::min(std::min(x1, side) - std::max(x0, 0.0f), std::min(y1, side) - std::max(y0, 0.0f));
   return true;
+}
+
+/// Whether the triangle is large enough for the circle in a cell. Being wrong only costs a cover.
+bool Partition::holds_a_cell(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
+  const auto length = [](const ScreenPoint& p, const ScreenPoint& q) {
+    return std::hypot(p.x - q.x, p.y - q.y);
+  };
+  const float twice_area = std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  return 2 * twice_area > length(a, b) + length(b, c) + length(c, a);
 }
 
 /// Certainly clockwise for the viewer.
@@ -202,7 +216,7 @@ bool Partition::make_cover(std::size_t t, Cover& cover) const {
 
 /// For an eye at infinity nothing that reaches behind the window counts: its hits there are none.
 bool Partition::may_cover(std::size_t t, const Footprint& f) const {
-  if (!screen_.usable() || (scene_.triangle_flags()[t] & see_through)) return false;
+  if (!f.may_cover || !screen_.usable() || (scene_.triangle_flags()[t] & see_through)) return false;
   return !geometry_.at_infinity || (f.placed && f.depth < 0);
 }
 

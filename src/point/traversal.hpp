@@ -63,10 +63,11 @@ class Traversal {
 
  private:
   static constexpr bool quick = A == Arithmetic::chain || A == Arithmetic::doubles;
-  static constexpr std::size_t leaf_size = quick ? 64 : 32;  ///< one by one, facets cost the square of it
-  static constexpr std::size_t largest_patch = 128;          ///< of a rectangle that is about to be halved
-  static constexpr std::size_t most_alone = 2;               ///< facets of a leaf that are decided one by one
-  static constexpr int most_stalls = 3;                      ///< halvings in a row that separate nothing
+  static constexpr std::size_t leaf_size = quick ? 128 : 32;  ///< one by one, facets cost the square of it
+  static constexpr std::size_t largest_patch = 192;           ///< of a rectangle that is about to be halved
+  static constexpr std::size_t most_alone = 2;  ///< facets of a leaf that are decided one by one
+  static constexpr int most_vain = 8;           ///< rays in a row that show nothing
+  static constexpr int most_stalls = 3;         ///< halvings in a row that separate nothing
   /// Where a fan's vertex meets a halving line, one half keeps the whole fan for as long as there are
   /// numbers.
   static constexpr int most_depth = 40;
@@ -78,10 +79,10 @@ class Traversal {
   void narrow(const Window& window, Items& items) const;
   void cull_behind_cover(const Window& window, Items& items);
   void resolve(const Tile& tile, const Items& items);
-  void resolve_quickly(Leaf<A, E>& leaf, const Tile& tile, const Members& members, Members& open);
-  Members front_to_back(const Members& members, const Window& window) const;
-  void share(Leaf<A, E>& leaf, const Tile& tile, const Members& order);
-  void decide(Leaf<A, E>& leaf, const Tile& tile, const Members& order, std::uint32_t facet);
+  void resolve_quickly(Leaf<A, E>& leaf, const Tile& tile);
+  Members open_after_glances(Leaf<A, E>& leaf);
+  void share(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision);
+  void decide(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision, std::uint32_t facet);
   void see_all(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision);
   void see(Leaf<A, E>& leaf, std::uint32_t facet, const Sight& sight);
   std::uint32_t slot(std::uint32_t facet) const { return shared_ ? facets_.facets[facet].id : facet; }
@@ -195,15 +196,14 @@ void Traversal<A, E>::cull_behind_cover(const Window& window, Items& items) {
 template <Arithmetic A, QueryEffects E>
 void Traversal<A, E>::resolve(const Tile& tile, const Items& items) {
   ++outcome_.stats.leaves;
-  std::vector<std::uint32_t> members, open;
+  Members members;
   for (const Item& i : items) members.push_back(i.facet);
   Leaf<A, E> leaf(signs_, facets_, lines_, tile, members);
-  for (const std::uint32_t f : members)
-    if (!seen_.get(slot(f))) open.push_back(f);
   if constexpr (quick)
-    resolve_quickly(leaf, tile, members, open);
+    resolve_quickly(leaf, tile);
   else
-    for (const std::uint32_t f : open) {
+    for (const std::uint32_t f : members) {
+      if (seen_.get(slot(f))) continue;
       const Sight sight = leaf.look(f);
       ++outcome_.stats.subtractions;
       if (sight.visible) see(leaf, f, sight);
@@ -214,67 +214,59 @@ void Traversal<A, E>::resolve(const Tile& tile, const Items& items) {
 
 /// One ray each, and what is left one by one or, where that is much, all together.
 template <Arithmetic A, QueryEffects E>
-void Traversal<A, E>::resolve_quickly(Leaf<A, E>& leaf, const Tile& tile, const Members& members,
-                                      Members& open) {
-  std::erase_if(open, [&](std::uint32_t f) {
-    Sight sight;
-    if (!leaf.glance(f, sight)) return false;
-    see(leaf, f, sight);
-    return true;
-  });
+void Traversal<A, E>::resolve_quickly(Leaf<A, E>& leaf, const Tile& tile) {
+  const Members open = open_after_glances(leaf);
   if (open.empty()) return;
-  const Members order = front_to_back(members, tile.window);
-  if (open.size() > most_alone && 3 * open.size() > members.size()) {
-    share(leaf, tile, order);
+  LeafSubdivision<A, E> subdivision(signs_, facets_, leaf.lines(), leaf.cutter(), tile);
+  if (open.size() > most_alone && 3 * open.size() > leaf.members().size()) {
+    share(leaf, subdivision);
     return;
   }
-  for (const std::uint32_t f : open) decide(leaf, tile, order, f);
+  for (const std::uint32_t f : open) decide(leaf, subdivision, f);
 }
 
-/// Occluders first, by the nearest that they may come in the tile.
+/// What lies at the back is mostly hidden: after some rays in a row that show nothing, none are tried.
 template <Arithmetic A, QueryEffects E>
-typename Traversal<A, E>::Members Traversal<A, E>::front_to_back(const Members& members,
-                                                                 const Window& window) const {
-  std::vector<std::pair<double, std::uint32_t>> keys;
-  for (const std::uint32_t m : members) {
-    const Facet& f = facets_.facets[m];
-    const double nearest = f.depth.highest(intersection(f.box, window));
-    keys.emplace_back(!f.occludes           ? HUGE_VAL
-                      : nearest > -0x1p1000 ? -nearest
-                                            : 0x1p1000,
-                      m);  // NaN goes last
+typename Traversal<A, E>::Members Traversal<A, E>::open_after_glances(Leaf<A, E>& leaf) {
+  Members open;
+  int vain = 0;
+  for (const auto& [f, nearest] : leaf.members()) {
+    if (seen_.get(slot(f))) continue;
+    Sight sight;
+    if (vain < most_vain && leaf.glance(f, sight)) {
+      see(leaf, f, sight);
+      vain = 0;
+    } else {
+      ++vain;
+      open.push_back(f);
+    }
   }
-  std::sort(keys.begin(), keys.end());
-  Members order;
-  for (const auto& [depth, m] : keys) order.push_back(m);
-  return order;
+  return open;
 }
 
 /// Decides all members together.
 template <Arithmetic A, QueryEffects E>
-void Traversal<A, E>::share(Leaf<A, E>& leaf, const Tile& tile, const Members& order) {
-  LeafSubdivision<A, E> subdivision(signs_, facets_, leaf.lines(), leaf.cutter(), tile);
-  for (const std::uint32_t m : order) {
+void Traversal<A, E>::share(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision) {
+  for (const OrderedFacet& m : leaf.members()) {
     if (subdivision.too_many()) break;
     subdivision.insert(m);
   }
-  outcome_.stats.subtractions += order.size();
+  outcome_.stats.subtractions += leaf.members().size();
   see_all(leaf, subdivision);
 }
 
 /// Decides one facet: takes away what the others hide of it.
 template <Arithmetic A, QueryEffects E>
-void Traversal<A, E>::decide(Leaf<A, E>& leaf, const Tile& tile, const Members& order, std::uint32_t facet) {
-  if (Sight sight; leaf.glimpse(facet, sight)) {
+void Traversal<A, E>::decide(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision, std::uint32_t facet) {
+  Members rivals = leaf.rivals(facet);
+  if (Sight sight; leaf.glimpse(facet, rivals, sight)) {
     see(leaf, facet, sight);
     return;
   }
   ++outcome_.stats.subtractions;
-  LeafSubdivision<A, E> subdivision(signs_, facets_, leaf.lines(), leaf.cutter(), tile);
   subdivision.restrict_to(facet);
-  for (const std::uint32_t m : order)
-    if (m != facet && facets_.facets[m].occludes && (subdivision.too_many() || !subdivision.subtract(m)))
-      break;
+  for (const std::uint32_t o : rivals)
+    if (subdivision.too_many() || !subdivision.subtract(o)) break;
   see_all(leaf, subdivision);
 }
 
