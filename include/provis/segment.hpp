@@ -54,7 +54,7 @@ struct SegmentOptions {
 struct Seen {
   PrimitiveId primitive = 0;
   std::uint64_t pixels = 0;  ///< pixels at whose centre it is visible for some time
-  double length = 0;  ///< sum over those pixels of the visible share of [0, 1], rounded: shares to 2^-45,
+  double length = 0;  ///< sum over those pixels of the visible share of [0, 1], rounded: shares to 2^-30,
                       ///< their sum to float64
 };
 

@@ -82,7 +82,7 @@ std::string difference(const std::vector<Seen>& engine, const std::vector<ExactS
     const ExactSeen& x = expected[i];
     std::ostringstream out;
     // A measure and no claim: the ends of a sight are rounded, not always to nearest.
-    const Rational bound = Rational(x.sights) * Rational(0x1p-45);
+    const Rational bound = Rational(x.sights) * Rational(0x1p-30);
     if (e.primitive == x.primitive && e.pixels == x.pixels && std::isfinite(e.length) &&
         abs(Rational(e.length) - x.length) <= bound)
       continue;
