@@ -46,4 +46,12 @@ Decision decide(const Formula& formula) {
   return {formula.template operator()<ExactNumber>(), Tier::exact};
 }
 
+/// Whether plain doubles were mistaken. `taken` is an argument so that it is known before the rounding mode
+/// changes; nothing else of the caller's arithmetic may move in here.
+template <class Formula>
+[[gnu::noinline]] bool mistaken(Sign taken, const Formula& formula) {
+  const RoundUp guard;
+  return decide<Arithmetic::chain>(formula).sign != taken;
+}
+
 }  // namespace provis

@@ -13,6 +13,8 @@ struct PathGeometry {
   Vec3d from, to;
   Frame frame;
   PixelGrid pixels;
+  /// Arithmetic::doubles: every sign is decided exactly too, and counted where it was taken wrongly.
+  bool checked = false;
 };
 
 /// Column and row of a pixel, row 0 on top.

@@ -18,6 +18,8 @@ template <class Formula>
 Sign PathSigns<A>::decided(Predicate p, const Formula& formula) {
   const Decision decision = decide<A>(formula);
   count(p, decision.tier);
+  if constexpr (A == Arithmetic::doubles)
+    if (geometry_.checked && mistaken(decision.sign, formula)) count_wrong(p);
   return decision.sign;
 }
 

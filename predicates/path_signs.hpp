@@ -12,6 +12,7 @@ namespace provis {
 /// alive on the thread (for Arithmetic::doubles a RoundNearest guard).
 ///
 /// Guarantee:  exact for every policy but Arithmetic::doubles, which takes the sign of the rounded value
+///             and, where the geometry says `checked`, counts how often that is not the exact one
 template <Arithmetic A>
 class PathSigns {
  public:
@@ -32,6 +33,7 @@ class PathSigns {
   Sign height(const Vec3d& p, const Corners& triangle);
 
   void count(Predicate p, Tier t) { ++counts_.at(p, t); }
+  void count_wrong(Predicate p) { ++counts_.wrong_of(p); }
 
  private:
   template <class Formula>

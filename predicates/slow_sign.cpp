@@ -6,14 +6,6 @@
 namespace provis {
 namespace {
 
-/// Whether plain doubles were mistaken. `taken` is an argument so that it is known before the rounding mode
-/// changes; nothing else of the caller's arithmetic may move in here.
-template <class Formula>
-[[gnu::noinline]] bool mistaken(Sign taken, const Formula& formula) {
-  const RoundUp guard;
-  return decide<Arithmetic::chain>(formula).sign != taken;
-}
-
 /// The sign of the functional's value at the ray. The arguments have to outlive it.
 auto functional_at(const ViewGeometry& g, const Line& line, const Direction& direction) {
   return [&]<class N>() { return sign_of(dot(evaluate<N>(g, line), evaluate<N>(g, direction))); };

@@ -8,6 +8,9 @@
 
 namespace provis {
 
+struct SegmentSet;
+struct SegmentView;
+
 /// What Arithmetic::doubles answers, with every sign on its way decided exactly too.
 ///
 /// Input:      scene: F triangles; view: eye and frames in world units
@@ -19,5 +22,14 @@ namespace provis {
 /// Throws:     Error::cancelled, Error::unsupported (spheres)
 /// Cost:       several times that of plain doubles; parallel; same answer for any thread count
 VisibleSet check_doubles(const Scene& scene, const PointView& view, const Context& context = {});
+
+/// The same along a segment, by SegmentEngine::fast.
+///
+/// Returns:    as visible_from_segment, with stats.signs.wrong per predicate. Where float64 finds an interval
+/// of
+///             time in one go, that counts as one sign of Predicate::motion, wrong if the interval is another
+/// Guarantee:  none for the set (Guarantee::sampled); the counts are exact
+/// Cost:       a hundred times that of plain doubles
+SegmentSet check_doubles(const Scene& scene, const SegmentView& view, const Context& context = {});
 
 }  // namespace provis

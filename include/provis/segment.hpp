@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,11 @@ struct PixelSights {
   std::vector<Sight> sights;
 };
 
+/// All pixels of one row of one frame.
+struct PixelRow {
+  int frame = 0, row = 0;  ///< row 0 on top
+};
+
 /// Which algorithm answers. The sets are the same.
 enum class SegmentEngine {
   fast,   ///< the default: skips what is certainly hidden
@@ -43,7 +49,8 @@ enum class SegmentEngine {
 struct SegmentOptions {
   Arithmetic arithmetic = Arithmetic::chain;
   SegmentEngine engine = SegmentEngine::fast;
-  bool witnesses = false;  ///< one canonical witness for each primitive of R10°
+  std::optional<PixelRow> only;  ///< where given, the query is about the centres of these pixels alone
+  bool witnesses = false;        ///< one canonical witness for each primitive of R10°
   std::uint64_t memory_bytes =
       0;  ///< what the lists may take before the segment is cut in two; 0 has no bound
   /// Where given: called with every pixel in order of frame, row and column, from one thread at a time.
@@ -76,12 +83,27 @@ struct SegmentSet {
 ///             edge; a single event is no interval; coincident triangles are all visible; a triangle whose
 ///             plane holds the segment is hidden and hides nothing; a segment of length zero answers the
 ///             point query at the pixel centres
-/// Throws:     Error::cancelled, Error::usage (witnesses asked of plain doubles), Error::unsupported
+/// Throws:     Error::cancelled, Error::usage (witnesses asked of plain doubles, a row that is not there),
+///             Error::unsupported
 ///             (spheres), Error::internal
 /// Source:     V. Popescu, E. Sacks, Z. Zhang, J. Vazquez, Complex VEs on All-In-One VR Headsets Through
 ///             Continuous From-Segment Visibility Computation
 SegmentSet visible_from_segment(const Scene& scene, const SegmentView& view,
                                 const SegmentOptions& options = {}, const Context& context = {});
+
+/// Which primitives are seen at a pixel's centre from single viewpoints along a segment, by a z-buffer in
+/// float64: what is done where the continuous answer is not to be had, for comparison.
+///
+/// Input:      viewpoints: one or more, in the middles of as many equal parts of the segment
+/// Returns:    status per primitive, size F; all visible ones are boundary (nothing is proven), `seen` is
+/// empty Guarantee:  none (Guarantee::sampled): misses what is seen between viewpoints only; what is farther
+/// by less
+///             than a part in 2^30 is not hidden, so that coincident triangles are all found
+/// Requires:   check(view) passes
+/// Throws:     Error::cancelled, Error::usage (no viewpoint), Error::unsupported (spheres)
+/// Cost:       linear in the viewpoints; parallel; same answer for any thread count
+SegmentSet sampled_along_segment(const Scene& scene, const SegmentView& view, int viewpoints,
+                                 const Context& context = {});
 
 /// Throws Error::usage unless every number is finite, every window has positive extent, the vectors of each
 /// frame are linearly independent (decided exactly), and pixels are 1 to 16384 each way.

@@ -3,6 +3,7 @@
 #include "predicates/interval.hpp"
 #include "predicates/zero_area.hpp"
 #include "src/segment/exact_event.hpp"
+#include "src/segment/sign_check.hpp"
 
 namespace provis {
 namespace {
@@ -30,13 +31,23 @@ Approximation quotient(const Interval& p, const Interval& q) {
 }  // namespace
 
 template <Arithmetic A>
+Events<A>::Events(const PathGeometry& path, SignCounts& counts) : signs_(path, counts) {
+  if (A == Arithmetic::doubles && path.checked) check_ = std::make_unique<SignCheck>(path);
+}
+
+template <Arithmetic A>
+Events<A>::~Events() = default;
+
+template <Arithmetic A>
 std::uint32_t Events<A>::add(Facet facet) {
+  if (check_) check_->add(facet);
   facets_.push_back(facet);
   return static_cast<std::uint32_t>(facets_.size() - 1);
 }
 
 template <Arithmetic A>
 void Events<A>::clear() {
+  if (check_) check_->clear();
   facets_.clear();
   memory_.clear();
 }
@@ -64,7 +75,12 @@ std::optional<Span> Events<A>::span(const Pixel& at, const Centre& centre, std::
   if constexpr (filtered) {
     Span s;
     const Look look = quick_span(centre, facet, range, s);
-    if (look != Look::unclear) signs_.count(Predicate::motion, Tier::filter);
+    if (look != Look::unclear) {
+      signs_.count(Predicate::motion, Tier::filter);
+      if constexpr (A == Arithmetic::doubles)
+        if (check_ && check_->wrong_span(at, centre, facet, range, look == Look::hit ? &s : nullptr))
+          signs_.count_wrong(Predicate::motion);
+    }
     if (look == Look::hit) return s;
     if (look == Look::miss) return std::nullopt;
   }
@@ -233,6 +249,30 @@ Sign Events<A>::slow_compare_depth(const Pixel& at, const Shown& a, const Shown&
   }
   const Motion depth{MotionKind::depth, 0, facets_[a.facet].corners, facets_[b.facet].corners};
   return signs_.order(at, depth, motion(when)) * when.slope * a.side * b.side;
+}
+
+template <Arithmetic A>
+Event Events<A>::restated(const Pixel& at, const Event& e) {
+  if (e.kind == EventKind::time) return e;
+  Event same = e;
+  same.error = HUGE_VAL;
+  same.slope = signs_.slope(at, motion(e));
+  return same;
+}
+
+template <Arithmetic A>
+Shown Events<A>::restated(const Pixel& at, const Shown& s) {
+  return {s.facet, signs_.along(at, facets_[s.facet].corners), s.on_edge, 0, 0, HUGE_VAL};
+}
+
+template <Arithmetic A>
+void Events<A>::watch_order(const Pixel& at, const Event& a, const Event& b, Sign taken) {
+  if (check_->wrong_order(at, a, b, taken)) signs_.count_wrong(Predicate::event_order);
+}
+
+template <Arithmetic A>
+void Events<A>::watch_depth(const Pixel& at, const Shown& a, const Shown& b, const Event& when, Sign taken) {
+  if (check_->wrong_depth(at, a, b, when, taken)) signs_.count_wrong(Predicate::event_order);
 }
 
 template <Arithmetic A>

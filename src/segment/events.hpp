@@ -2,6 +2,7 @@
 // Order of events and of depths at a pixel, certain: float64 with an error bound first, then what structure
 // knows, then the tiers of the chain.
 
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -11,11 +12,14 @@
 
 namespace provis {
 
+class SignCheck;
+
 /// The facets of a group of pixels of one frame, and what has been asked about them.
 template <Arithmetic A>
 class Events {
  public:
-  Events(const PathGeometry& path, SignCounts& counts) : signs_(path, counts) {}
+  Events(const PathGeometry& path, SignCounts& counts);
+  ~Events();
 
   const PathGeometry& path() const { return signs_.geometry(); }
   const std::vector<Facet>& facets() const { return facets_; }
@@ -31,6 +35,9 @@ class Events {
     const double d = a.t - b.t, unsure = (a.error + b.error) * slack;
     if (filtered && (d > unsure || d < -unsure)) {
       signs_.count(Predicate::event_order, Tier::filter);
+      if constexpr (A == Arithmetic::doubles)
+        if (check_) [[unlikely]]
+          watch_order(at, a, b, sign_of(d));
       return sign_of(d);
     }
     return slow_compare(at, a, b);
@@ -43,10 +50,19 @@ class Events {
         (a.depth_error + b.depth_error + std::fabs(a.depth_slope - b.depth_slope) * when.error) * slack;
     if (filtered && (d > unsure || d < -unsure)) {
       signs_.count(Predicate::event_order, Tier::filter);
+      if constexpr (A == Arithmetic::doubles)
+        if (check_) [[unlikely]]
+          watch_depth(at, a, b, when, sign_of(d));
       return sign_of(d);
     }
     return slow_compare_depth(at, a, b, when);
   }
+
+  /// The same event, and the same facet, with nothing believed of them but what they are: the sign of the
+  /// slope, or the side, is certain, and the numbers are not used. Zero where there is no such event, or no
+  /// hit.
+  Event restated(const Pixel& at, const Event& e);
+  Shown restated(const Pixel& at, const Shown& s);
 
   /// Where the planes of two facets cross, given that they do so at one moment, before which the sign of the
   /// first distance less the second is given.
@@ -77,12 +93,15 @@ class Events {
   bool in_plane(const Vec3d& p, std::uint32_t facet);
   bool edge_in_plane(std::uint32_t owner, int edge, std::uint32_t facet);
   bool same_line(std::uint32_t a, int edge_a, std::uint32_t b, int edge_b);
+  void watch_order(const Pixel& at, const Event& a, const Event& b, Sign taken);
+  void watch_depth(const Pixel& at, const Shown& a, const Shown& b, const Event& when, Sign taken);
   template <class Decide>
   bool remembered(std::uint64_t kind, std::uint64_t a, std::uint64_t b, const Decide& decide);
 
   PathSigns<A> signs_;
   std::vector<Facet> facets_;
   std::unordered_map<std::uint64_t, bool> memory_;
+  std::unique_ptr<SignCheck> check_;  ///< PathGeometry::checked
 };
 
 extern template class Events<Arithmetic::doubles>;

@@ -17,4 +17,7 @@ ExactTime exact_root(const PathGeometry& path, const Pixel& at, const Motion& mo
 /// "p/q" in lowest terms, q > 0.
 std::string text(const ExactTime& t);
 
+/// How many of the moments (2 k + 1) / (2 count), k from 0 to count - 1, lie before the time "p/q".
+int moments_before(const std::string& time, int count);
+
 }  // namespace provis

@@ -23,10 +23,19 @@ struct FrameTask {
   /// Told what share of the frame was done, from any thread.
   std::function<void(double)> advance;
 
+  /// The pixels that are asked about.
+  PixelRect area() const {
+    const PixelGrid& all = path.pixels;
+    if (options.only) return {0, options.only->row, all.width, 1};
+    return {0, 0, all.width, all.height};
+  }
   BlockTask block(const PixelRect& area) const;
 };
 
 using FrameEngine = void (*)(const FrameTask&);
+
+/// Throws Error::unsupported if there are spheres.
+void require_triangles(const Scene& scene);
 
 template <Arithmetic A>
 void resolve_frame_plain(const FrameTask& task);

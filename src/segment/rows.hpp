@@ -16,7 +16,7 @@ inline constexpr int block_side = 16;
 /// feed(block, range) adds what may be seen in a block; see Block::run.
 template <Arithmetic A, class Feed>
 void resolve_rows(const FrameTask& task, int block_width, const Feed& feed) {
-  const PixelGrid& pixels = task.path.pixels;
+  const PixelRect pixels = task.area();
   const auto rows = static_cast<std::size_t>((pixels.height + block_side - 1) / block_side);
   // Lists are long: only so many rows of them exist at a time.
   const std::size_t batch =
@@ -25,8 +25,8 @@ void resolve_rows(const FrameTask& task, int block_width, const Feed& feed) {
     const std::size_t count = std::min(batch, rows - first);
     std::vector<std::vector<BlockOutcome>> outcomes(count);
     parallel_queue(count, [&](std::size_t k) {
-      const int top = static_cast<int>(first + k) * block_side;
-      const int height = std::min(block_side, pixels.height - top);
+      const int below = static_cast<int>(first + k) * block_side;
+      const int top = pixels.row + below, height = std::min(block_side, pixels.height - below);
       const RoundingGuard<A> guard;
       SignCounts signs;
       Block<A> block(signs, task.path);

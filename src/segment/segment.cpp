@@ -7,6 +7,7 @@
 #include "predicates/approx.hpp"
 #include "predicates/environment.hpp"
 #include "predicates/for_policy.hpp"
+#include "provis/check_doubles.hpp"
 #include "provis/error.hpp"
 #include "src/scene/on_occluder.hpp"
 #include "src/scene/parallel.hpp"
@@ -32,7 +33,7 @@ FrameEngine choose_engine(const SegmentOptions& options) {
 }
 
 SegmentSet run(const Scene& scene, const SegmentView& view, const SegmentOptions& options,
-               const Context& context) {
+               const Context& context, bool checked) {
   const FrameEngine engine = choose_engine(options);
   const ClusterTree tree(scene);
   const double reach = std::max({tree.reach(), largest(view.from), largest(view.to)});
@@ -41,7 +42,8 @@ SegmentSet run(const Scene& scene, const SegmentView& view, const SegmentOptions
   ProgressMeter meter(context, frames);
   Tally tally(scene.primitive_count());
   for (std::size_t k = 0; k < view.frames.size(); ++k) {
-    const PathGeometry path{view.from, view.to, view.frames[k], view.pixels};
+    if (options.only && options.only->frame != static_cast<int>(k)) continue;
+    const PathGeometry path{view.from, view.to, view.frames[k], view.pixels, checked};
     const PathProjection projection(path, reach);
     const int frame = static_cast<int>(k);
     engine({scene, path, projection, blocked, &tree, options, context, frame,
@@ -57,6 +59,14 @@ SegmentSet run(const Scene& scene, const SegmentView& view, const SegmentOptions
   return set;
 }
 
+void check(const PixelRow& only, const SegmentView& view) {
+  const auto frames = static_cast<int>(view.frames.size());
+  if (only.frame < 0 || only.frame >= frames)
+    refuse("frame", "is " + std::to_string(only.frame) + ", of " + std::to_string(frames));
+  if (only.row < 0 || only.row >= view.pixels.height)
+    refuse("row", "is " + std::to_string(only.row) + ", of " + std::to_string(view.pixels.height));
+}
+
 }  // namespace
 
 BlockTask FrameTask::block(const PixelRect& area) const {
@@ -64,6 +74,13 @@ BlockTask FrameTask::block(const PixelRect& area) const {
   const std::uint64_t share =
       options.memory_bytes == 0 ? 0 : std::max<std::uint64_t>(1, options.memory_bytes / threads);
   return {scene, path, blocked, frame, area, static_cast<bool>(options.on_pixel), options.witnesses, share};
+}
+
+void require_triangles(const Scene& scene) {
+  if (!scene.spheres().empty())
+    throw Error(Error::Code::unsupported, "scene",
+                "spheres are not handled by from-segment queries: " + std::to_string(scene.spheres().size()) +
+                    " of them");
 }
 
 void check(const SegmentView& view) {
@@ -76,24 +93,38 @@ void check(const SegmentView& view) {
   if (out(view.pixels.width) || out(view.pixels.height)) refuse("size", "each way 1 to 16384 pixels");
 }
 
-SegmentSet visible_from_segment(const Scene& scene, const SegmentView& view, const SegmentOptions& options,
-                                const Context& context) {
+namespace {
+
+SegmentSet answer(const Scene& scene, const SegmentView& view, const SegmentOptions& options,
+                  const Context& context, bool checked) {
   check(view);
+  if (options.only) check(*options.only, view);
   if (options.witnesses && options.arithmetic == Arithmetic::doubles)
     refuse("witnesses", "plain doubles prove nothing");
-  if (!scene.spheres().empty())
-    throw Error(Error::Code::unsupported, "scene",
-                "spheres are not handled by from-segment queries: " + std::to_string(scene.spheres().size()) +
-                    " of them");
+  require_triangles(scene);
   check_environment();
   const Stopwatch stopwatch;
-  SegmentSet set = on_threads(context, [&] { return run(scene, view, options, context); });
+  SegmentSet set = on_threads(context, [&] { return run(scene, view, options, context, checked); });
   set.set.answers = "R10";
   set.set.guarantee = options.arithmetic == Arithmetic::doubles ? Guarantee::sampled : Guarantee::exact;
   set.set.eye_on_primitive = view.from == view.to && on_occluder(scene, view.from);
   set.set.stats.threads = thread_count(context);
+  set.set.stats.checked = checked;
   stopwatch.read(set.set.stats);
   return set;
+}
+
+}  // namespace
+
+SegmentSet visible_from_segment(const Scene& scene, const SegmentView& view, const SegmentOptions& options,
+                                const Context& context) {
+  return answer(scene, view, options, context, false);
+}
+
+SegmentSet check_doubles(const Scene& scene, const SegmentView& view, const Context& context) {
+  SegmentOptions options;
+  options.arithmetic = Arithmetic::doubles;
+  return answer(scene, view, options, context, true);
 }
 
 }  // namespace provis

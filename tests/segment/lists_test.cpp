@@ -133,6 +133,22 @@ TEST_CASE("pixels are counted and lengths measured") {
   CHECK(set.seen[0].length == Approx(3 * 0.875).epsilon(1e-9));
 }
 
+TEST_CASE("a row that is asked for alone is that row of the whole answer") {
+  HandMade h;
+  h.wall(-4).add({-0.25, -1, -2}, {0.25, -1, -2}, {0, 1, -2}).add({-0.5, -9, -3}, {9, -9, -3}, {0, 9, -3});
+  h.view.pixels = {21, 37};
+  h.view.frames = omni({0, 0, 0}).frames;
+  const std::vector<std::string> all = answer(Scene(h.arrays), h.view).sights;
+  for (const SegmentEngine engine : {SegmentEngine::fast, SegmentEngine::plain})
+    for (const PixelRow only : {PixelRow{0, 0}, PixelRow{5, 18}, PixelRow{5, 36}}) {
+      SegmentOptions options;
+      options.engine = engine;
+      options.only = only;
+      const auto first = all.begin() + (only.frame * 37 + only.row) * 21;
+      CHECK(answer(Scene(h.arrays), h.view, options).sights == std::vector<std::string>(first, first + 21));
+    }
+}
+
 TEST_CASE("what makes no sense, or is not handled, is refused and named") {
   const auto code = [](const HandMade& h, const SegmentOptions& options = {}) {
     try {
@@ -160,6 +176,11 @@ TEST_CASE("what makes no sense, or is not handled, is refused and named") {
   doubles.arithmetic = Arithmetic::doubles;
   doubles.witnesses = true;
   CHECK(code(h, doubles) == Error::Code::usage);
+  for (const PixelRow only : {PixelRow{1, 0}, PixelRow{-1, 0}, PixelRow{0, 1}, PixelRow{0, -1}}) {
+    SegmentOptions row;
+    row.only = only;
+    CHECK(code(h, row) == Error::Code::usage);
+  }
   h.arrays.spheres = {{{0, 0, -3}, 1}};
   h.arrays.sphere_flags = {0};
   CHECK(code(h) == Error::Code::unsupported);
