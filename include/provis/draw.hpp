@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "provis/scene.hpp"
+#include "provis/segment.hpp"
 #include "provis/view.hpp"
 #include "provis/visible_set.hpp"
 
@@ -27,6 +28,15 @@ Image draw_frames(const Scene& scene, const VisibleSet& set, const PointView& vi
 /// The scene from above (along -up of the first frame), visible and hidden primitives told apart and
 /// the viewpoint marked with its window's outline.
 Image draw_above(const Scene& scene, const VisibleSet& set, const PointView& view, int width, int height);
+
+/// An epipolar-plane image: what a row of pixels sees over time, from left to right by column, from top to
+/// bottom from 0 to 1.
+///
+/// Input:      pixels: of one row, from left to right, at least one
+/// Returns:    at (x, y) what the pixel column in which (x + 1/2) / width lies sees at (y + 1/2) / height,
+///             decided on the exact times; where several primitives are seen at once, the mean of their
+///             colours
+Image draw_over_time(const std::vector<PixelSights>& pixels, int width, int height);
 
 /// Throws:     Error::output; no partial file is left behind
 void write_png(const Image& image, const std::filesystem::path& file);

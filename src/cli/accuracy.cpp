@@ -9,8 +9,10 @@
 
 #include "provis/error.hpp"
 #include "src/cli/accuracy_runs.hpp"
+#include "src/cli/accuracy_ways.hpp"
 #include "src/cli/arguments.hpp"
 #include "src/cli/output.hpp"
+#include "src/cli/path_options.hpp"
 #include "src/cli/run.hpp"
 #include "src/cli/scene_options.hpp"
 #include "src/cli/view_options.hpp"
@@ -24,6 +26,7 @@ constexpr std::uint64_t most_threads = 4096, most_runs = 1000;
 struct AccuracyCommand {
   SceneOptions source;
   ViewOptions view;
+  PathOptions path;  ///< the options that it has in common with a view stand in `view`
   std::string runs = "3", time_limit = "60", memory_limit, threads = "0";
   std::string json, picture;
   CLI::App* command = nullptr;
@@ -34,6 +37,9 @@ struct AccuracyCommand {
  private:
   void validate() const;
   AccuracyPlan plan() const;
+  bool along_segments() const { return !path.from.empty() || !path.to.empty() || !path.rect.empty(); }
+  SegmentQuery segments() const;
+  void state_query(ResultHeader& header) const;
   std::vector<std::string> query() const;
 };
 
@@ -75,6 +81,8 @@ std::vector<std::string> AccuracyCommand::query() const {
 
 AccuracyPlan AccuracyCommand::plan() const {
   AccuracyPlan plan;
+  plan.command = along_segments() ? "segment" : "point";
+  plan.ways = along_segments() ? segment_ways() : point_ways();
   plan.query = query();
   plan.runs = static_cast<int>(parse_whole("--runs", runs, 1, most_runs));
   plan.limits.seconds = parse_seconds("--time-limit", time_limit);
@@ -95,14 +103,42 @@ void AccuracyCommand::validate() const {
     throw Error(Error::Code::usage, "--picture", "standard output can take only one of --json and --picture");
 }
 
-void AccuracyCommand::run(Run& run) const {
-  validate();
-  const AccuracyPlan what = plan();
+SegmentQuery AccuracyCommand::segments() const {
+  for (const auto& [option, text] :
+       {std::pair("--eye", view.eye), {"--view", view.projection}, {"--views", view.views}})
+    if (!text.empty()) throw Error(Error::Code::usage, option, "has no place along a segment");
+  PathOptions all = path;
+  all.dir = view.dir;
+  all.look_at = view.look_at;
+  all.right = view.right;
+  all.up = view.up;
+  all.forward = view.forward;
+  all.window = view.window;
+  all.fovy = view.fovy;
+  all.size = view.size;
+  return all.query(source.seed_number());
+}
+
+void AccuracyCommand::state_query(ResultHeader& header) const {
+  header.options = source.recorded();
+  if (along_segments()) {
+    header.segments = segments();
+    header.view = header.segments->first_view();
+    return;
+  }
+  if (!path.faces.empty()) throw Error(Error::Code::usage, "--faces", "goes with --from and --to, or --rect");
+  header.view = view.view(source.file);
   const PixelGrid usual;
   const std::array<int, 2> pixels =
       view.size.empty() ? std::array{usual.width, usual.height} : parse_size("--size", view.size);
+  header.options["size"] = fmt::format("{}x{}", pixels[0], pixels[1]);
+}
+
+void AccuracyCommand::run(Run& run) const {
+  validate();
+  const AccuracyPlan what = plan();
   ResultHeader header;
-  header.view = view.view(source.file);
+  state_query(header);
   std::optional<Output> json_output, picture_output;
   if (!json.empty()) json_output.emplace(json);
   if (!picture.empty()) picture_output.emplace(picture);
@@ -114,8 +150,6 @@ void AccuracyCommand::run(Run& run) const {
   header.triangles = scene.triangles().size();
   header.spheres = scene.spheres().size();
   header.left_out.assign(scene.left_out().begin(), scene.left_out().end());
-  header.options = source.recorded();
-  header.options["size"] = fmt::format("{}x{}", pixels[0], pixels[1]);
   const AccuracyReport report = run_accuracy(what, header, scene, run);
 
   run.stage("writing the report");
@@ -130,6 +164,7 @@ void AccuracyCommand::add_to(CLI::App& app) {
   command = &app;
   source.add_to(app);
   view.add_to(app);
+  path.add_paths_to(app);
   const auto add = [&](const char* option, std::string& value, const char* type, const char* group,
                        const char* help) {
     app.add_option(option, value, help)->type_name(type)->group(group);
@@ -150,10 +185,14 @@ void AccuracyCommand::add_to(CLI::App& app) {
       "Draw what is missed over the time that it takes, as SVG; '-' is standard output, instead of the "
       "table");
   app.footer(
-      "The ways: doubles, chain, mpfr and exact arithmetic; aggressive sampling; 1, 2x2, 4x4 ... 256x256\n"
-      "samples in each pixel of --size. Each is a process of its own; one that fails ends nothing.\n\n"
-      "Example:\n"
-      "  provis accuracy house.glb --eye 0,1.8,0 --dir 1,0,0 --picture accuracy.svg");
+      "The ways from a point: doubles, chain, mpfr and exact arithmetic; aggressive sampling; 1, 2x2, 4x4 "
+      "...\n"
+      "256x256 samples in each pixel of --size. Along segments: each arithmetic with both engines; "
+      "z-buffers\n"
+      "from 10, 100 ... 100000 viewpoints. Each is a process of its own; one that fails ends nothing.\n\n"
+      "Examples:\n"
+      "  provis accuracy house.glb --eye 0,1.8,0 --dir 1,0,0 --picture accuracy.svg\n"
+      "  provis accuracy house.glb --from 0,1.8,0 --to 4,1.8,0 --size 200x200 --json accuracy.json");
 }
 
 }  // namespace

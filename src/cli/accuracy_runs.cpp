@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "provis/error.hpp"
+#include "src/cli/accuracy_ways.hpp"
 #include "src/cli/progress.hpp"
 #include "src/cli/run.hpp"
 #include "src/report/names.hpp"
@@ -15,8 +16,6 @@
 namespace provis {
 
 namespace {
-
-constexpr int finest_samples = 256;
 
 /// A folder that goes with the object.
 class Scratch {
@@ -43,7 +42,7 @@ class Scratch {
 struct Answer {
   Ending ending = Ending::failed;
   std::string reason;
-  VisibleSet set;
+  ResultFile result;
 
   std::string ended() const { return std::string(name(ending)) + (reason.empty() ? "" : ": " + reason); }
 };
@@ -52,6 +51,7 @@ struct Answer {
 struct Tally {
   WayOutcome outcome;
   std::vector<Status> status;
+  std::vector<Seen> seen;
   std::vector<double> cpu, wall, peak;
 };
 
@@ -59,12 +59,12 @@ class Runner {
  public:
   Runner(const AccuracyPlan& plan, const ResultHeader& header, const Scene& scene, Run& run)
       : plan_(plan), scene_(scene), run_(run) {
-    for (const Way& way : all_ways()) tallies_.emplace_back().outcome.way = way;
+    for (const Way& way : plan.ways) tallies_.emplace_back().outcome.way = way;
     report_.header = header;
     report_.runs = plan.runs;
     report_.time_limit = plan.limits.seconds;
     report_.memory_limit = plan.limits.bytes;
-    progress_.total = static_cast<double>(tallies_.size()) * plan.runs + 2;
+    progress_.total = static_cast<double>(tallies_.size()) * plan.runs + (header.segments ? 1 : 2);
   }
 
   AccuracyReport report();
@@ -74,7 +74,7 @@ class Runner {
   bool held_back(std::size_t index);
   void check_doubles();
   void compare_with_exact();
-  std::vector<ImagePart> parts(const std::vector<Status>& exact);
+  std::vector<ImagePart> parts(const Tally& exact);
   Answer ask(const std::string& what, const std::vector<std::string>& options);
   Answer read_answer() const;
   Tally& of_doubles();
@@ -88,14 +88,6 @@ class Runner {
   ProgressLine line_;
   Progress progress_;
 };
-
-std::vector<std::string> options_of(const Way& way) {
-  std::vector<std::string> words = {"--arithmetic", std::string(name(way.arithmetic))};
-  if (way.method == Method::aggressive) words.insert(words.end(), {"--method", "aggressive"});
-  if (way.method == Method::sampled)
-    words.insert(words.end(), {"--method", "sampled", "--samples", std::to_string(way.samples)});
-  return words;
-}
 
 Ending ending_of(const ChildEnd& end) {
   if (end.timed_out) return Ending::timed_out;
@@ -141,23 +133,24 @@ void Runner::measure(std::size_t index, int round) {
   outcome.ending = answer.ending;
   outcome.reason = answer.reason;
   if (answer.ending != Ending::done) return;
-  const QueryStats& stats = answer.set.stats;
+  const QueryStats& stats = answer.result.set.stats;
   tally.cpu.push_back(stats.cpu_seconds);
   tally.wall.push_back(stats.seconds);
   tally.peak.push_back(static_cast<double>(stats.peak_bytes));
   if (round > 0) return;
   outcome.signs = stats.signs;
-  outcome.visible = answer.set.with(Status::visible).size();
-  tally.status = std::move(answer.set.status);
+  outcome.visible = answer.result.set.with(Status::visible).size();
+  tally.status = std::move(answer.result.set.status);
+  tally.seen = std::move(answer.result.seen);
   report_.threads = stats.threads;
 }
 
-/// What fewer samples could not do is not tried with more of them.
+/// What fewer samples, or viewpoints, could not do is not tried with more of them.
 bool Runner::held_back(std::size_t index) {
   WayOutcome& outcome = tallies_[index].outcome;
-  if (outcome.way.method != Method::sampled || outcome.way.samples == 1) return false;
+  if (outcome.way.method != Method::sampled) return false;
   const WayOutcome& coarser = tallies_[index - 1].outcome;
-  if (coarser.ending == Ending::done) return false;
+  if (coarser.way.method != Method::sampled || coarser.ending == Ending::done) return false;
   outcome.ending = coarser.ending == Ending::unavailable ? Ending::unavailable : Ending::not_tried;
   outcome.reason = coarser.ending == Ending::timed_out || coarser.ending == Ending::out_of_memory
                        ? fmt::format("{} {}", name(coarser.way), name(coarser.ending))
@@ -167,7 +160,8 @@ bool Runner::held_back(std::size_t index) {
 
 Tally& Runner::of_doubles() {
   return *std::find_if(tallies_.begin(), tallies_.end(), [](const Tally& tally) {
-    return tally.outcome.way.method == Method::exact && tally.outcome.way.arithmetic == Arithmetic::doubles;
+    const Way& way = tally.outcome.way;
+    return way.method == Method::exact && way.arithmetic == Arithmetic::doubles && !way.plain;
   });
 }
 
@@ -176,7 +170,7 @@ void Runner::check_doubles() {
   const Answer answer = ask("doubles, checked", {"--arithmetic", "doubles", "--check"});
   if (answer.ending == Ending::done) {
     outcome.wrong_signs = 0;
-    for (const std::uint64_t count : answer.set.stats.signs.wrong) *outcome.wrong_signs += count;
+    for (const std::uint64_t count : answer.result.set.stats.signs.wrong) *outcome.wrong_signs += count;
   } else {
     outcome.unchecked = answer.ended();
   }
@@ -188,27 +182,31 @@ void Runner::compare_with_exact() {
   });
   if (certain == tallies_.end()) return;
   report_.reference = certain->outcome.way;
-  const std::vector<ImagePart> image = parts(certain->status);
+  const std::vector<ImagePart> image = parts(*certain);
   for (Tally& tally : tallies_)
     if (tally.outcome.ending == Ending::done)
       tally.outcome.score = score(tally.status, certain->status, image);
 }
 
-std::vector<ImagePart> Runner::parts(const std::vector<Status>& exact) {
+std::vector<ImagePart> Runner::parts(const Tally& exact) {
+  if (report_.header.segments) {
+    report_.area = AreaMeasure::sight;
+    return seen_parts(exact.seen);
+  }
   Answer answer = ask("the subdivision", {"--arithmetic", "chain", "--subdivision"});
   if (answer.ending == Ending::done) {
     report_.area = AreaMeasure::subdivision;
-    return parts_of(std::move(answer.set.subdivision));
+    return parts_of(std::move(answer.result.set.subdivision));
   }
   report_.area = AreaMeasure::projection;
   report_.no_subdivision = answer.ended();
-  return projected_parts(scene_, report_.header.view, exact);
+  return projected_parts(scene_, report_.header.view, exact.status);
 }
 
 Answer Runner::ask(const std::string& what, const std::vector<std::string>& options) {
   run_.stage("measuring " + what);
   line_.show(progress_);
-  std::vector<std::string> words = {"point"};
+  std::vector<std::string> words = {plan_.command};
   words.insert(words.end(), plan_.query.begin(), plan_.query.end());
   words.insert(words.end(), options.begin(), options.end());
   words.insert(words.end(), {"--threads", std::to_string(plan_.threads), "--out", scratch_.file()});
@@ -223,23 +221,13 @@ Answer Runner::read_answer() const {
     ResultFile result = read_result(scratch_.file());
     if (result.header.scene_hash != scene_.hash())
       return {Ending::failed, "the scene has changed since the first run", {}};
-    return {Ending::done, "", std::move(result.set)};
+    return {Ending::done, "", std::move(result)};
   } catch (const Error& error) {
     return {Ending::failed, error.what(), {}};
   }
 }
 
 }  // namespace
-
-std::vector<Way> all_ways() {
-  std::vector<Way> ways;
-  for (const Arithmetic a : {Arithmetic::doubles, Arithmetic::chain, Arithmetic::mpfr, Arithmetic::exact})
-    ways.push_back({Method::exact, a, 1});
-  ways.push_back({Method::aggressive, Arithmetic::chain, 1});
-  for (int samples = 1; samples <= finest_samples; samples *= 2)
-    ways.push_back({Method::sampled, Arithmetic::chain, samples});
-  return ways;
-}
 
 AccuracyReport run_accuracy(const AccuracyPlan& plan, const ResultHeader& header, const Scene& scene,
                             Run& run) {

@@ -15,20 +15,18 @@ struct Run;
 
 /// What is asked, and how often.
 struct AccuracyPlan {
-  std::vector<std::string>
-      query;  ///< what follows "provis point": the scene, and the options of scene and view
+  std::string command;             ///< of the program: "point", "segment"
+  std::vector<std::string> query;  ///< what follows it: the scene, and the options of scene and view
+  std::vector<Way> ways;
   Limits limits;
   int runs = 1;
   int threads = 0;
 };
 
-/// Every arithmetic policy, then every sampled method, the coarsest grid of samples first.
-std::vector<Way> all_ways();
-
 /// Runs the ways in turn, as often as planned, then the two that only serve to judge: doubles with every sign
-/// checked, and the exact subdivision.
+/// checked and, from a point, the exact subdivision.
 ///
-/// Input:      header: the scene and the view, which the children load again
+/// Input:      header: the scene and the query, which the children load again
 /// Throws:     Error::cancelled; whatever else happens to a child is in the report
 AccuracyReport run_accuracy(const AccuracyPlan& plan, const ResultHeader& header, const Scene& scene,
                             Run& run);

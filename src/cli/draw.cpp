@@ -9,6 +9,7 @@
 #include "provis/error.hpp"
 #include "provis/result_file.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/draw_epi.hpp"
 #include "src/cli/run.hpp"
 #include "src/cli/scene_options.hpp"
 
@@ -22,6 +23,7 @@ constexpr int default_width = 1280, default_height = 720;
 
 struct DrawOptions {
   std::string scene, result, view_image, above, size;
+  EpiOptions epi;
 };
 
 double length(const Vec3d& v) { return std::sqrt(dot(v, v)); }
@@ -45,14 +47,16 @@ Scene matching_scene(const DrawOptions& options, const ResultHeader& header, Run
 }
 
 void run_draw(const DrawOptions& options, Run& run) {
-  if (options.view_image.empty() && options.above.empty()) {
-    throw Error(Error::Code::usage, "draw", "give --view-image, --above or both");
+  if (options.view_image.empty() && options.above.empty() && options.epi.file.empty()) {
+    throw Error(Error::Code::usage, "draw", "give at least one of --view-image, --above and --epi");
   }
+  options.epi.validate();
   const bool sized = !options.size.empty();
   const Size stated = sized ? parse_size("--size", options.size) : Size{default_width, default_height};
   run.stage("reading " + options.result);
   const ResultFile result = read_result(options.result);
   const PointView& view = result.header.view;
+  if (!options.epi.file.empty()) options.epi.check_against(result, options.result);
   const Scene scene = matching_scene(options, result.header, run);
   if (!options.view_image.empty()) {
     run.stage("drawing " + options.view_image);
@@ -63,12 +67,20 @@ void run_draw(const DrawOptions& options, Run& run) {
     run.stage("drawing " + options.above);
     write_png(draw_above(scene, result.set, view, stated[0], stated[1]), options.above);
   }
+  if (!options.epi.file.empty()) {
+    const int columns = result.header.segments->pixels.width;
+    run.stage("drawing " + options.epi.file);
+    write_png(options.epi.picture(scene, result, options.result,
+                                  sized ? stated : Size{columns, default_height}, run.context),
+              options.epi.file);
+  }
 }
 
 }  // namespace
 
 Action add_draw(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("draw", "Draw a result as PNG: the view, or from above");
+  CLI::App* command =
+      program.add_subcommand("draw", "Draw a result as PNG: the view, from above, or a row over time");
   const auto options = std::make_shared<DrawOptions>();
   command
       ->add_option("SCENE", options->scene,
@@ -84,7 +96,7 @@ Action add_draw(CLI::App& program) {
       ->add_option("--view-image", options->view_image,
                    "PNG to write: the view, a colour per visible primitive; an omni view as six square "
                    "faces, three by "
-                   "two. Give this, --above or both")
+                   "two")
       ->type_name("FILE");
   command
       ->add_option(
@@ -96,9 +108,13 @@ Action add_draw(CLI::App& program) {
       ->add_option("--size", options->size,
                    "Pixels of each picture, 1 to 16384 each way [the view: 1280 wide, as high as its "
                    "window's proportions "
-                   "ask for; from above: 1280x720]")
+                   "ask for; from above: 1280x720; over time: a column for each pixel, 720 high]")
       ->type_name("WxH");
-  command->footer("Example: provis draw house.glb house.json --view-image view.png --above above.png");
+  options->epi.add_to(*command);
+  command->footer(
+      "Examples:\n"
+      "  provis draw house.glb house.json --view-image view.png --above above.png\n"
+      "  provis draw house.glb walk.json --epi epi.png --row 400 --face 5");
   return [options](Run& run) { run_draw(*options, run); };
 }
 

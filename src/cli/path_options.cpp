@@ -138,7 +138,7 @@ SegmentQuery PathOptions::query(std::uint64_t seed) const {
   return q;
 }
 
-void PathOptions::add_to(CLI::App& command) {
+void PathOptions::add_paths_to(CLI::App& command) {
   const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
     return command.add_option(name, value, help)->type_name(type)->group(group);
   };
@@ -152,6 +152,13 @@ void PathOptions::add_to(CLI::App& command) {
   add("--faces", faces, "N",
       "6: a cube of square faces that sees all around; 1: a camera, with --dir or --right [6]")
       ->check(CLI::IsMember({"1", "6"}));
+}
+
+void PathOptions::add_to(CLI::App& command) {
+  add_paths_to(command);
+  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
+    command.add_option(name, value, help)->type_name(type)->group(group);
+  };
   add("--size", size, "WxH",
       "Pixels of each face or of the camera, 1 to 16384 each: the query is answered at their centres "
       "[800x800; "

@@ -17,7 +17,10 @@ struct PathOptions {
   std::string from, to, rect;
   std::string faces, dir, look_at, right, up, forward, window, fovy, size, runs;
 
+  /// All of them.
   void add_to(CLI::App& command);
+  /// Those that no query from a point has: --from, --to, --rect, --faces.
+  void add_paths_to(CLI::App& command);
 
   /// seed: of --runs
   ///

@@ -14,13 +14,13 @@
 #include "provis/error.hpp"
 #include "provis/result_file.hpp"
 #include "provis/witness.hpp"
-#include "src/cli/arguments.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/path_options.hpp"
 #include "src/cli/peak_memory.hpp"
 #include "src/cli/progress.hpp"
 #include "src/cli/run.hpp"
 #include "src/cli/scene_options.hpp"
+#include "src/cli/segment_method.hpp"
 #include "src/report/names.hpp"
 #include "src/report/scene_report.hpp"
 #include "src/report/sights.hpp"
@@ -31,12 +31,11 @@ namespace provis {
 
 namespace {
 
-constexpr std::uint64_t most_threads = 4096, most_mebibytes = 1 << 30;
-
 struct SegmentCommand {
   SceneOptions source;
   PathOptions path;
-  std::string engine = "fast", arithmetic = "chain", threads = "0", memory = "0", granularity = "triangle";
+  SegmentMethod method;
+  std::string granularity = "triangle";
   std::string out, ids, intervals, rank;
   bool witness = false, effects = false, stats = false;
 
@@ -47,6 +46,7 @@ struct SegmentCommand {
   ResultHeader header(const Scene& scene, const SegmentQuery& query) const;
   ResultFile query(const Scene& scene, const SegmentQuery& query, std::ostream* lists, Run& run) const;
   void require_one_standard_output() const;
+  std::vector<std::string> asked_of_exact() const;
   // Talk gives way to a result that is on its way to standard output.
   void say(const std::string& text) const;
   std::vector<std::string> outputs() const { return {out, ids, intervals, rank}; }
@@ -78,8 +78,17 @@ ResultHeader SegmentCommand::header(const Scene& scene, const SegmentQuery& quer
   h.view = query.first_view();
   h.left_out.assign(scene.left_out().begin(), scene.left_out().end());
   h.options = source.recorded();
-  h.options["arithmetic"] = arithmetic;
+  method.record(h.options);
   return h;
+}
+
+/// What single viewpoints do not give.
+std::vector<std::string> SegmentCommand::asked_of_exact() const {
+  std::vector<std::string> asked;
+  if (witness) asked.emplace_back("--witness");
+  if (!intervals.empty()) asked.emplace_back("--intervals");
+  if (!rank.empty()) asked.emplace_back("--rank");
+  return asked;
 }
 
 ResultFile SegmentCommand::query(const Scene& scene, const SegmentQuery& where, std::ostream* lists,
@@ -87,10 +96,7 @@ ResultFile SegmentCommand::query(const Scene& scene, const SegmentQuery& where, 
   ResultFile result;
   result.header = header(scene, where);
   SegmentOptions options;
-  options.arithmetic = arithmetic_named(arithmetic).value();
-  options.engine = engine == "plain" ? SegmentEngine::plain : SegmentEngine::fast;
   options.witnesses = witness;
-  options.memory_bytes = parse_whole("--memory", memory, 0, most_mebibytes) << 20;
 
   SegmentSet all;
   ProgressLine line;
@@ -103,15 +109,15 @@ ResultFile SegmentCommand::query(const Scene& scene, const SegmentQuery& where, 
         line.show({(static_cast<double>(k) + p.done / p.total) / paths, 1});
       };
     if (lists != nullptr) options.on_pixel = [&](const PixelSights& p) { write_sights(p, k, *lists); };
-    SegmentSet set = visible_from_segment(scene, where.view(k), options, context);
+    SegmentSet part = method.answer(scene, where.view(k), options, context);
     if (witness) {
       run.stage("verifying the witnesses");
-      const std::size_t held = verify_witnesses(scene, where.view(k), set, context);
+      const std::size_t held = verify_witnesses(scene, where.view(k), part, context);
       say(fmt::format("verified   {} witnesses, each against all {} triangles\n", held,
                       scene.triangles().size()));
       run.stage("computing what is visible");
     }
-    unite(all, std::move(set));
+    unite(all, std::move(part));
   }
   result.set = std::move(all.set);
   result.boundary = std::move(all.boundary);
@@ -150,9 +156,10 @@ void SegmentCommand::run(Run& run) const {
   stated.seed_has_use = !path.runs.empty();
   stated.validate();
   require_one_standard_output();
+  method.validate(asked_of_exact());
   if (granularity == "object" && ids.empty())
     throw Error(Error::Code::usage, "--granularity", "says which ids --ids writes: give it too");
-  run.context.threads = static_cast<int>(parse_whole("--threads", threads, 0, most_threads));
+  run.context.threads = method.thread_count();
   const SegmentQuery where = path.query(source.seed_number());
   std::array<std::optional<Output>, 4> files;
   for (std::size_t k = 0; k < files.size(); ++k)
@@ -182,35 +189,7 @@ void SegmentCommand::run(Run& run) const {
 void SegmentCommand::add_to(CLI::App& command) {
   source.add_to(command);
   path.add_to(command);
-  const char* computing = "How to compute";
-  command
-      .add_option("--engine", engine,
-                  "'fast', or 'plain', the algorithm of Popescu et al., which tests every triangle and gives "
-                  "the same "
-                  "sets [fast]")
-      ->check(CLI::IsMember({"fast", "plain"}))
-      ->type_name("")
-      ->group(computing);
-  command
-      .add_option(
-          "--arithmetic", arithmetic,
-          "How each comparison is computed: 'chain' is certain and fast, 'mpfr' and 'exact' are certain and "
-          "slow, 'doubles' is sometimes wrong and for comparison only [chain]")
-      ->check(CLI::IsMember({"chain", "doubles", "mpfr", "exact"}))
-      ->type_name("")
-      ->group(computing);
-  command
-      .add_option(
-          "--memory", memory,
-          "MiB that the pixels' lists may take before a segment is cut in two, 0 for no bound; never changes "
-          "the answer [0]")
-      ->type_name("MIB")
-      ->group(computing);
-  command
-      .add_option("--threads", threads,
-                  "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]")
-      ->type_name("N")
-      ->group(computing);
+  method.add_to(command);
   const char* output = "Output";
   command
       .add_option("--out", out, "Write the result as JSON, which 'provis draw' reads; '-' is standard output")

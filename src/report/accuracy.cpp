@@ -9,13 +9,14 @@ namespace provis {
 std::string name(const Way& way) {
   switch (way.method) {
     case Method::sampled:
+      if (way.viewpoints > 0) return fmt::format("sampled {}", way.viewpoints);
       return fmt::format("sampled {0}x{0}", way.samples);
     case Method::aggressive:
       return "aggressive";
     case Method::exact:
       break;
   }
-  return std::string(name(way.arithmetic));
+  return std::string(name(way.arithmetic)) + (way.plain ? ", plain" : "");
 }
 
 std::string_view name(Ending ending) {
@@ -44,18 +45,39 @@ Spread spread(std::vector<double> values) {
   return {(values[(n - 1) / 2] + values[n / 2]) / 2, values.front(), values.back()};
 }
 
+namespace {
+
+/// Of the product's engine with this arithmetic, if it has come to an end.
+const WayOutcome* ended(const AccuracyReport& report, Arithmetic arithmetic) {
+  const auto found = std::find_if(report.outcomes.begin(), report.outcomes.end(), [&](const WayOutcome& o) {
+    return o.way.method == Method::exact && o.way.arithmetic == arithmetic && !o.way.plain;
+  });
+  return found != report.outcomes.end() && found->ending == Ending::done ? &*found : nullptr;
+}
+
+}  // namespace
+
 std::optional<Price> price_of_certainty(const AccuracyReport& report) {
-  const auto outcome = [&](Arithmetic arithmetic) -> const WayOutcome* {
-    const auto found = std::find_if(report.outcomes.begin(), report.outcomes.end(), [&](const WayOutcome& o) {
-      return o.way.method == Method::exact && o.way.arithmetic == arithmetic;
-    });
-    return found != report.outcomes.end() && found->ending == Ending::done ? &*found : nullptr;
-  };
-  const WayOutcome *chain = outcome(Arithmetic::chain), *doubles = outcome(Arithmetic::doubles);
+  const WayOutcome *chain = ended(report, Arithmetic::chain), *doubles = ended(report, Arithmetic::doubles);
   if (chain == nullptr || doubles == nullptr || !doubles->score) return std::nullopt;
   if (!(doubles->cpu_seconds.median > 0)) return std::nullopt;
   return Price{chain->cpu_seconds.median / doubles->cpu_seconds.median, doubles->score->wrong_in,
                doubles->score->wrong_out};
+}
+
+std::optional<SamplingFigures> sampling_figures(const AccuracyReport& report) {
+  constexpr double enough = 0.01;  // of the set may be missed
+  const WayOutcome* chain = ended(report, Arithmetic::chain);
+  if (chain == nullptr || !(chain->cpu_seconds.median > 0)) return std::nullopt;
+  SamplingFigures figures;
+  for (const WayOutcome& o : report.outcomes) {
+    if (o.way.viewpoints == 0 || o.ending != Ending::done || !o.score) continue;
+    if (figures.best == nullptr || figures.best->score->set_missed > enough) figures.best = &o;
+    if (o.cpu_seconds.median <= chain->cpu_seconds.median) figures.equal_time = &o;
+  }
+  if (figures.best == nullptr) return std::nullopt;
+  figures.cpu_ratio = figures.best->cpu_seconds.median / chain->cpu_seconds.median;
+  return figures;
 }
 
 }  // namespace provis

@@ -16,13 +16,16 @@ namespace provis {
 struct Way {
   Method method = Method::exact;
   Arithmetic arithmetic = Arithmetic::chain;
-  int samples = 1;  ///< Method::sampled: samples^2 rays in each pixel
+  int samples = 1;     ///< Method::sampled from a point: samples^2 rays in each pixel
+  int viewpoints = 0;  ///< Method::sampled along a segment: how many; else 0
+  bool plain = false;  ///< along a segment: by SegmentEngine::plain
 
   /// Whether the set is the exact one wherever this way comes to an end.
   bool certain() const { return method == Method::exact && arithmetic != Arithmetic::doubles; }
 };
 
-/// "sampled 4x4", "aggressive", or for Method::exact the arithmetic.
+/// "sampled 4x4", "sampled 1000" (viewpoints), "aggressive", or for Method::exact the arithmetic and, where
+/// that is not the usual one, the engine: "chain, plain".
 std::string name(const Way& way);
 
 /// How a run came to its end.
@@ -62,6 +65,7 @@ struct WayOutcome {
 
 /// By what shares of the image are measured.
 enum class AreaMeasure {
+  sight,        ///< along segments: for how long each visible triangle is seen, summed over pixels
   subdivision,  ///< exact cells: what is seen where
   projection,   ///< of each visible triangle the area of its image, hidden parts too
   none,
@@ -84,6 +88,17 @@ struct Price {
   double ratio = 0;                         ///< CPU seconds of the chain by those of doubles
   std::size_t wrong_in = 0, wrong_out = 0;  ///< of the set by doubles; both 0 where the sets are the same
 };
+
+/// How far sampling has come, along a segment: against the time of the chain.
+struct SamplingFigures {
+  const WayOutcome* best = nullptr;  ///< the fewest viewpoints that find 99 %, or else the most that ended
+  const WayOutcome* equal_time =
+      nullptr;           ///< the most viewpoints in no more CPU time; null if not even the fewest
+  double cpu_ratio = 0;  ///< of best, by the chain's CPU seconds
+};
+
+/// Nothing unless the chain and the fewest viewpoints have come to an end. Points into the report.
+std::optional<SamplingFigures> sampling_figures(const AccuracyReport& report);
 
 /// Nothing unless both have come to an end.
 std::optional<Price> price_of_certainty(const AccuracyReport& report);

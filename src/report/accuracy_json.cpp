@@ -40,12 +40,15 @@ Json json(const SetScore& score, bool area) {
 }
 
 Json json(const WayOutcome& o, bool area) {
-  Json row = {{"name", name(o.way)},
-              {"method", family(o.way)},
-              {"arithmetic", name(o.way.arithmetic)},
-              {"samples", o.way.method == Method::sampled ? Json(o.way.samples) : Json()},
-              {"ending", name(o.ending)},
-              {"reason", text_or_null(o.reason)}};
+  Json row = {
+      {"name", name(o.way)},
+      {"method", family(o.way)},
+      {"arithmetic", name(o.way.arithmetic)},
+      {"samples", o.way.method == Method::sampled && o.way.viewpoints == 0 ? Json(o.way.samples) : Json()},
+      {"ending", name(o.ending)},
+      {"reason", text_or_null(o.reason)}};
+  if (o.way.viewpoints > 0) row["viewpoints"] = o.way.viewpoints;
+  if (o.way.plain) row["engine"] = "plain";
   if (o.ending != Ending::done) return row;
   row["cpu_seconds"] = json(o.cpu_seconds);
   row["wall_seconds"] = json(o.wall_seconds);
@@ -58,9 +61,10 @@ Json json(const WayOutcome& o, bool area) {
 }
 
 Json area(const AccuracyReport& report) {
-  const Json measure = report.area == AreaMeasure::subdivision  ? Json("subdivision")
-                       : report.area == AreaMeasure::projection ? Json("projection")
-                                                                : Json();
+  const Json measure = report.area == AreaMeasure::sight         ? Json("sight")
+                       : report.area == AreaMeasure::subdivision ? Json("subdivision")
+                       : report.area == AreaMeasure::projection  ? Json("projection")
+                                                                 : Json();
   return {{"measure", measure}, {"no_subdivision", text_or_null(report.no_subdivision)}};
 }
 

@@ -28,12 +28,15 @@ struct Family {
 };
 
 constexpr Family sampling = {"uniform samples per pixel", "#0072b2", Marker::circle, false};
+constexpr Family viewpoints = {"viewpoints along the segment", "#0072b2", Marker::circle, false};
+constexpr Family plain_engine = {"plain engine", "#56b4e9", Marker::diamond, false};
 constexpr Family aggressive = {"aggressive", "#e69f00", Marker::diamond, false};
 constexpr Family certain = {"exact, by certain signs", "#00835f", Marker::square, false};
 constexpr Family doubles = {"plain doubles", "#c8361d", Marker::square, true};
 
 const Family& family(const Way& way) {
-  if (way.method == Method::sampled) return sampling;
+  if (way.method == Method::sampled) return way.viewpoints > 0 ? viewpoints : sampling;
+  if (way.plain) return plain_engine;
   if (way.method == Method::aggressive) return aggressive;
   return way.certain() ? certain : doubles;
 }
@@ -79,8 +82,13 @@ std::size_t complete(const std::vector<Dot>& dots) {
       std::count_if(dots.begin(), dots.end(), [](const Dot& d) { return !(d.missed > 0); }));
 }
 
+/// Of a sampled way: short, since there are many.
+std::string fineness(const Way& way) {
+  return way.viewpoints > 0 ? fmt::format("{}", way.viewpoints) : fmt::format("{}²", way.samples);
+}
+
 std::string label(const WayOutcome& o) {
-  if (o.way.method == Method::sampled) return fmt::format("{}²", o.way.samples);
+  if (o.way.method == Method::sampled) return fineness(o.way);
   std::string text = name(o.way);
   if (o.score && o.score->wrong_in > 0) text += fmt::format(", {} wrongly in", o.score->wrong_in);
   return text;
@@ -156,7 +164,7 @@ void Panel::draw_axes() {
   svg_.upward_text({left_ - 66, (top + bottom) / 2}, "share missed", 13, ink);
 }
 
-/// The grids of samples, joined as far as they miss anything.
+/// The sampled ways, joined as far as they miss anything.
 void Panel::draw_curve() {
   std::vector<SvgPoint> points;
   for (const Dot& dot : dots_)
@@ -193,9 +201,14 @@ void Panel::draw_strip() {
   }
 }
 
-void draw_legend(Svg& svg) {
+void draw_legend(Svg& svg, const AccuracyReport& report) {
+  const auto drawn = [&](const Family* f) {
+    return std::any_of(report.outcomes.begin(), report.outcomes.end(),
+                       [&](const WayOutcome& o) { return &family(o.way) == f; });
+  };
   double x = 90;
-  for (const Family* f : {&sampling, &aggressive, &certain, &doubles}) {
+  for (const Family* f : {&sampling, &viewpoints, &aggressive, &plain_engine, &certain, &doubles}) {
+    if (!drawn(f)) continue;
     svg.marker(f->marker, {x, 46}, f->color, f->hollow);
     svg.text({x + 12, 50}, f->title, Anchor::start, 13, ink);
     x += 40 + 6.8 * static_cast<double>(std::string_view(f->title).size());
@@ -211,10 +224,16 @@ void draw_absent(Svg& svg, const AccuracyReport& report, double y) {
     if (name(o.ending) != last)
       line += (line.empty() ? "Not shown: " : "; ") + std::string(name(o.ending)) + ": ";
     if (name(o.ending) == last) line += ", ";
-    line += o.way.method == Method::sampled ? fmt::format("{}²", o.way.samples) : name(o.way);
+    line += o.way.method == Method::sampled ? fineness(o.way) : name(o.way);
     last = name(o.ending);
   }
   svg.text({24, y}, line, Anchor::start, small, grey);
+}
+
+const char* second_title(AreaMeasure measure) {
+  if (measure == AreaMeasure::sight) return "Pixels x time missed";
+  return measure == AreaMeasure::subdivision ? "Image area missed"
+                                             : "Projected area missed (hidden parts too)";
 }
 
 std::string heading(const AccuracyReport& report) {
@@ -235,13 +254,9 @@ void write_accuracy_picture(const AccuracyReport& report, std::ostream& out) {
   const double floor = bottom + strip_gap + strip_row * (static_cast<double>(rows) + 0.4);
   Svg svg(width, floor + 82);
   svg.text({24, 26}, heading(report), Anchor::start, 17, ink);
-  draw_legend(svg);
+  draw_legend(svg, report);
   Panel(svg, 92, floor, "Visible triangles missed", set).draw();
-  Panel(svg, 92 + panel_width + 104, floor,
-        report.area == AreaMeasure::subdivision ? "Image area missed"
-                                                : "Projected area missed (hidden parts too)",
-        area)
-      .draw();
+  Panel(svg, 92 + panel_width + 104, floor, second_title(report.area), area).draw();
   draw_absent(svg, report, floor + 66);
   out << svg.take();
 }

@@ -68,6 +68,12 @@ std::vector<ImagePart> projected_parts(const Scene& scene, const PointView& view
   return parts;
 }
 
+std::vector<ImagePart> seen_parts(const std::vector<Seen>& seen) {
+  std::vector<ImagePart> parts;
+  for (const Seen& s : seen) parts.push_back({s.length, {s.primitive}});
+  return parts;
+}
+
 SetScore score(const std::vector<Status>& set, const std::vector<Status>& exact,
                const std::vector<ImagePart>& parts) {
   SetScore score;

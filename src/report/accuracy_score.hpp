@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "provis/scene.hpp"
+#include "provis/segment.hpp"
 #include "provis/view.hpp"
 #include "provis/visible_set.hpp"
 
@@ -22,6 +23,9 @@ std::vector<ImagePart> parts_of(std::vector<SubdivisionCell>&& cells);
 /// are hidden included, in float64.
 std::vector<ImagePart> projected_parts(const Scene& scene, const PointView& view,
                                        const std::vector<Status>& exact);
+
+/// Along segments: each visible triangle with the time for which it is seen, summed over pixels.
+std::vector<ImagePart> seen_parts(const std::vector<Seen>& seen);
 
 struct SetScore {
   std::size_t wrong_in = 0;   ///< in the set, though not visible

@@ -33,7 +33,7 @@ void add_heading(Out out, const AccuracyReport& report) {
   fmt::format_to(out, "scene      {} ({} triangles, {} spheres)\n", header.scene_file, header.triangles,
                  header.spheres);
   fmt::format_to(out, "hash       {}\n", header.scene_hash);
-  fmt::format_to(out, "query      {}\n", query_text(header.view));
+  fmt::format_to(out, "query      {}\n", query_text(header));
   fmt::format_to(out, "options    {}\n", options_text(header.options));
   fmt::format_to(out, "runs       {} of each way on {} threads; at most {:g} s and {}\n", report.runs,
                  report.threads, report.time_limit,
@@ -44,6 +44,10 @@ void add_heading(Out out, const AccuracyReport& report) {
       out, "exact set  {}\n",
       report.reference ? "by " + name(*report.reference) : std::string("not known: nothing certain ended"));
   switch (report.area) {
+    case AreaMeasure::sight:
+      fmt::format_to(
+          out, "sight      pixels x time: each triangle counts by how long it is seen at how many pixels\n");
+      break;
     case AreaMeasure::subdivision:
       fmt::format_to(out, "area       shares of the window, by the exact subdivision\n");
       break;
@@ -63,7 +67,7 @@ void add_heading(Out out, const AccuracyReport& report) {
 void add_costs(Out out, const AccuracyReport& report) {
   fmt::format_to(out, "\n{:<15}{:>8}{:>17}{:>9}{:>9}{:>10}{:>10}{:>11}{:>12}{:>13}\n", "way", "CPU s",
                  "least to most", "wall s", "MiB", "visible", "wrong in", "wrong out", "set missed",
-                 "area missed");
+                 report.area == AreaMeasure::sight ? "sight missed" : "area missed");
   for (const WayOutcome& o : report.outcomes) {
     fmt::format_to(out, "{:<15}", name(o.way));
     if (o.ending != Ending::done) {
@@ -88,6 +92,7 @@ void add_costs(Out out, const AccuracyReport& report) {
 std::string wrong_text(const WayOutcome& o) {
   if (o.way.method == Method::sampled) return "-";
   if (o.way.arithmetic != Arithmetic::doubles) return "0";
+  if (o.way.plain) return "-";
   return o.wrong_signs ? fmt::format("{}", *o.wrong_signs) : "?";
 }
 
@@ -118,6 +123,20 @@ std::string price_text(const AccuracyReport& report) {
                      price->wrong_out, price->ratio);
 }
 
+void add_sampling(Out out, const AccuracyReport& report) {
+  const std::optional<SamplingFigures> figures = sampling_figures(report);
+  if (!figures) return;
+  const auto found = [](const WayOutcome& o) {
+    return fmt::format("{:.4g} % of the set from {} viewpoints", 100 * (1 - o.score->set_missed),
+                       o.way.viewpoints);
+  };
+  fmt::format_to(out, "sampling   {}, in {:.3g} times the CPU time of the chain\n", found(*figures->best),
+                 figures->cpu_ratio);
+  fmt::format_to(
+      out, "           {} in no more time than the chain\n",
+      figures->equal_time != nullptr ? found(*figures->equal_time) : "not even the fewest viewpoints");
+}
+
 }  // namespace
 
 std::string accuracy_text(const AccuracyReport& report) {
@@ -127,6 +146,7 @@ std::string accuracy_text(const AccuracyReport& report) {
   add_costs(out, report);
   add_signs(out, report);
   fmt::format_to(out, "\ncertainty  {}\n", price_text(report));
+  add_sampling(out, report);
   return text;
 }
 

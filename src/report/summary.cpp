@@ -100,12 +100,12 @@ std::string query_text(const ViewCell& cell) {
   return line;
 }
 
-namespace {
-
-std::string header_text(const ResultHeader& header) {
+std::string query_text(const ResultHeader& header) {
   if (header.segments) return query_text(*header.segments);
   return header.cell ? query_text(*header.cell) : query_text(header.view);
 }
+
+namespace {
 
 std::string cell_text(const CellCounts& counts) {
   const BoundStats& b = counts.bounds;
@@ -134,7 +134,7 @@ std::string summary(const ResultFile& result) {
     fmt::format_to(out, "left out   {} invalid primitives\n", header.left_out.size());
   }
   fmt::format_to(out, "hash       {}\n", header.scene_hash);
-  fmt::format_to(out, "query      {}\n", header_text(header));
+  fmt::format_to(out, "query      {}\n", query_text(header));
   fmt::format_to(out, "options    {}\n", options_text(header.options));
   fmt::format_to(out, "visible    {} ({:.4g} %)\n", visible, percent(visible, total));
   if (header.segments) fmt::format_to(out, "boundary   {} of them\n", result.boundary.size());

@@ -21,6 +21,9 @@ std::string query_text(const SegmentQuery& segments);
 /// "cell from -0.15,1.65,-0.15 to 0.15,1.95,0.15".
 std::string query_text(const ViewCell& cell);
 
+/// Of whichever kind it is.
+std::string query_text(const ResultHeader& header);
+
 /// The counts of all predicates, by tier.
 std::array<std::uint64_t, tier_count> by_tier(const SignCounts& signs);
 

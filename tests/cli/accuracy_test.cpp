@@ -269,6 +269,84 @@ TEST_CASE("options of accuracy that make no sense are refused before anything ru
   CHECK(provis_run({"accuracy"}).status == 1);
 }
 
+TEST_CASE("along a segment every policy, both engines and numbers of viewpoints are compared") {
+  const TempFolder folder;
+  const std::string scene = write_small_scene(folder.path() / "s.ply");
+  const Words words = {"accuracy", scene,  "--runs",   "1",      "--from",
+                       "0,0,0",    "--to", "0.01,0,0", "--size", "8x8"};
+  const std::string file = (folder.path() / "r.json").string(), svg = (folder.path() / "p.svg").string();
+  const Outcome outcome = provis_run(words + unlimited + Words{"--json", file, "--picture", svg});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const Json json = Json::parse(read_text(file));
+  CHECK(schema_violations(schema(), json) == Words{});
+  CHECK(json["exact_set_by"] == "chain");
+  CHECK(json["query"]["kind"] == "segment");
+  CHECK(json["query"]["segments"].size() == 1);
+  CHECK(json["area"]["measure"] == "sight");
+  CHECK(json["ways"].size() == 13);
+  for (const Json& w : json["ways"]) {
+    INFO(w.dump());
+    REQUIRE(w["ending"] == "done");
+    CHECK(w["visible"] == 2);
+    CHECK(w["score"] == Json{{"wrong_in", 0}, {"wrong_out", 0}, {"set_missed", 0.0}, {"area_missed", 0.0}});
+  }
+  CHECK(way(json, "exact, plain")["signs"]["exact"] > 0);
+  CHECK(way(json, "doubles")["signs"]["wrong"] == 0);
+  CHECK(way(json, "doubles, plain")["signs"]["wrong"].is_null());
+  CHECK(way(json, "sampled 100000")["viewpoints"] == 100000);
+  CHECK_THAT(outcome.out,
+             Catch::Contains("which gave the same set") && Catch::Contains("sampling   100 % of the set"));
+  CHECK_THAT(read_text(svg), Catch::Contains("viewpoints along the segment"));
+  // A family stops where it is too slow, and says so.
+  const Json late = report(words + Words{"--time-limit", "1e-9"});
+  CHECK(way(late, "sampled 10")["ending"] == "timed out");
+  CHECK(way(late, "sampled 100")["ending"] == "not tried");
+  CHECK(way(late, "sampled 100000")["reason"] == way(late, "sampled 100")["reason"]);
+  CHECK(schema_violations(schema(), late) == Words{});
+}
+
+TEST_CASE("along a segment a sight that is missed is measured") {
+  // A wall behind a slit, seen for one two-thousandth of the way: none of ten viewpoints looks through.
+  const TempFolder folder;
+  SceneArrays arrays;
+  const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    const auto first = static_cast<std::uint32_t>(arrays.vertices.size());
+    arrays.vertices.insert(arrays.vertices.end(), {a, b, c});
+    arrays.triangles.push_back({first, first + 1, first + 2});
+    arrays.triangle_flags.push_back(0);
+  };
+  add({-90, -90, -2}, {0.001, -90, -2}, {0.001, 90, -2});
+  add({0.002, -90, -2}, {90, -90, -2}, {0.002, 90, -2});
+  add({-90, -90, -4}, {90, -90, -4}, {0, 90, -4});
+  const std::string scene = (folder.path() / "gap.ply").string();
+  export_ply(Scene(arrays), scene);
+  const Json json = report({"accuracy", scene, "--runs", "1", "--from", "-1,0,0", "--to", "1,0,0", "--dir",
+                            "0,0,-1", "--size", "1x1"});
+  CHECK(way(json, "chain")["visible"] == 3);
+  const Json ten = way(json, "sampled 10");
+  CHECK(ten["visible"] == 2);
+  CHECK(ten["score"]["wrong_out"] == 1);
+  CHECK(ten["score"]["area_missed"].get<double>() == Approx(0.0005).epsilon(1e-6));
+  CHECK(way(json, "sampled 10000")["score"]["wrong_out"] == 0);
+}
+
+TEST_CASE("a query is from a point or along segments") {
+  const TempFolder folder;
+  const auto refused = [&](const Words& more, const char* message) {
+    const Outcome outcome = provis_run(small_query(folder) + more);
+    CHECK(outcome.status == 1);
+    CHECK_THAT(outcome.err, Catch::Contains(message));
+  };
+  refused({"--from", "0,0,0", "--to", "1,0,0"}, "--eye: has no place along a segment");
+  refused({"--faces", "6"}, "--faces");
+  const std::string scene = write_small_scene(folder.path() / "t.ply");
+  const auto along = [&](const Words& more) { return provis_run(Words{"accuracy", scene} + more); };
+  CHECK_THAT(along({"--from", "0,0,0"}).err, Catch::Contains("--to"));
+  CHECK_THAT(along({"--rect", "0,0,0:1,0,0"}).err, Catch::Contains("--rect"));
+  CHECK_THAT(along({"--from", "0,0,0", "--to", "1,0,0", "--view", "omni"}).err, Catch::Contains("--view"));
+}
+
 TEST_CASE("a check is for plain doubles only") {
   const TempFolder folder;
   const Words words = {"point",  write_small_scene(folder.path() / "s.ply"), "--eye", "0,0,0", "--dir=0,0,-1",

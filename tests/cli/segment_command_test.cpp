@@ -122,6 +122,49 @@ TEST_CASE("segment: both engines, all certain policies and any number of threads
   }
 }
 
+TEST_CASE("segment: single viewpoints are told from the continuous answer") {
+  const SegmentRun query;
+  const Outcome outcome =
+      query.along({"--method", "sampled", "--viewpoints", "7", "--out", query.path("r.json"), "--ids", "-"});
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.out == "0\n2\n");
+  const ResultFile result = read_result(query.path("r.json"));
+  CHECK(result.set.guarantee == Guarantee::sampled);
+  CHECK(result.boundary == std::vector<PrimitiveId>{0, 2});
+  CHECK(result.seen.empty());
+  CHECK(result.header.options.at("method") == "sampled");
+  CHECK(result.header.options.at("viewpoints") == "7");
+  const Json schema =
+      Json::parse(read_text(std::string(PROVIS_SOURCE_DIR) + "/src/report/visible-set.schema.json"));
+  CHECK(schema_violations(schema, Json::parse(read_text(query.path("r.json")))) ==
+        std::vector<std::string>{});
+  const Outcome drawn =
+      provis_run({"draw", query.scene, query.path("r.json"), "--epi", query.path("e.png"), "--row", "3"});
+  CHECK(drawn.status == 2);
+  CHECK_THAT(drawn.err, Catch::Contains("single viewpoints"));
+  const auto refused = [&](const Words& more, const char* option) {
+    const Outcome no = query.along(more);
+    CHECK(no.status == 1);
+    CHECK_THAT(no.err, Catch::Contains(option));
+  };
+  refused({"--viewpoints", "7"}, "--viewpoints");
+  refused({"--method", "sampled"}, "--viewpoints");
+  for (const Words& more : {Words{"--witness"}, Words{"--intervals", "-"}, Words{"--rank", "-"},
+                            Words{"--engine", "plain"}, Words{"--arithmetic", "exact"}})
+    refused(Words{"--method", "sampled", "--viewpoints", "7"} + more, more.front().c_str());
+  refused({"--method", "sampled", "--viewpoints", "0"}, "--viewpoints");
+}
+
+TEST_CASE("segment: doubles can be checked, and nothing else") {
+  const SegmentRun query;
+  const Outcome outcome = query.along({"--arithmetic", "doubles", "--check"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::Contains("wrong      0 of these signs\n"));
+  for (const Words& more : {Words{}, Words{"--arithmetic", "doubles", "--engine", "plain"},
+                            Words{"--arithmetic", "doubles", "--intervals", "-"}})
+    CHECK_THAT(query.along(more + Words{"--check"}).err, Catch::Contains("--check"));
+}
+
 TEST_CASE("segment: what makes no sense is refused with the option's name") {
   const SegmentRun query;
   const auto complaint = [&](const Words& words) {

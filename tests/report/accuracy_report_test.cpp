@@ -53,6 +53,25 @@ AccuracyReport example() {
   return report;
 }
 
+AccuracyReport along_a_segment() {
+  AccuracyReport report = example();
+  report.header.options.erase("size");
+  SegmentQuery query;
+  query.paths = {{{0, 0, 0}, {1, 2, 3}}};
+  query.frames = omni({0, 0, 0}).frames;
+  query.pixels = {32, 32};
+  report.header.segments = query;
+  report.area = AreaMeasure::sight;
+  report.outcomes.resize(2);
+  report.outcomes.push_back(outcome({Method::exact, Arithmetic::chain, 1, 0, true}, 4, {}));
+  report.outcomes.push_back(outcome({Method::exact, Arithmetic::doubles, 1, 0, true}, 3, {}));
+  report.outcomes.push_back(outcome({Method::sampled, Arithmetic::doubles, 1, 10}, 0.75, {0, 30, 0.3, 0.02}));
+  report.outcomes.push_back(
+      outcome({Method::sampled, Arithmetic::doubles, 1, 100}, 7.5, {0, 1, 0.01, 0.001}));
+  report.outcomes.push_back(outcome({Method::sampled, Arithmetic::doubles, 1, 1000}, 75, {}));
+  return report;
+}
+
 Json written(const AccuracyReport& report) {
   std::stringstream text;
   write_accuracy_json(report, text);
@@ -171,4 +190,56 @@ TEST_CASE("a scene's name is text in the picture, not markup") {
   AccuracyReport report = example();
   report.header.scene_file = "a<b>&c.glb";
   CHECK_THAT(drawn(report), Catch::Contains("a&lt;b&gt;&amp;c.glb"));
+}
+
+TEST_CASE("along a segment the report tells the engines apart, and what sampling finds in how much time") {
+  const AccuracyReport report = along_a_segment();
+  CHECK(price_of_certainty(report)->ratio == 2);
+  const std::string text = accuracy_text(report);
+  CHECK_THAT(text, Catch::Contains("segment from 0,0,0 to 1,2,3, 6 frames of 32x32 pixels"));
+  CHECK_THAT(text, Catch::Contains("sight missed") && !Catch::Contains("area missed"));
+  CHECK_THAT(text, Catch::Contains("\nchain, plain ") && Catch::Contains("\nsampled 1000 "));
+  CHECK_THAT(text, Catch::EndsWith("which gave the same set\n") || Catch::EndsWith("than the chain\n"));
+  CHECK_THAT(text, Catch::Contains(
+                       "sampling   99 % of the set from 100 viewpoints, in 7.5 times the CPU time of "
+                       "the chain\n           70 % of the set from 10 viewpoints in no more time than the "
+                       "chain\n"));
+  const std::string svg = drawn(report);
+  CHECK_THAT(svg, Catch::Contains("Pixels x time missed") &&
+                      Catch::Contains("viewpoints along the segment") && Catch::Contains("plain engine"));
+  CHECK_THAT(svg, !Catch::Contains("aggressive") && !Catch::Contains("²"));
+  CHECK_THAT(drawn(example()), !Catch::Contains("viewpoints along") && Catch::Contains("aggressive"));
+}
+
+TEST_CASE("what sampling does not reach is not called reached") {
+  AccuracyReport report = along_a_segment();
+  report.outcomes.resize(report.outcomes.size() - 2);
+  report.outcomes.back().cpu_seconds.median = 1.5;
+  CHECK_THAT(accuracy_text(report),
+             Catch::Contains(
+                 "sampling   70 % of the set from 10 viewpoints, in 1.5 times the CPU time of the chain\n"
+                 "           not even the fewest viewpoints in no more time"));
+  report.outcomes.pop_back();
+  CHECK_FALSE(sampling_figures(report));
+  CHECK_FALSE(sampling_figures(example()));
+}
+
+TEST_CASE("along a segment the report is valid JSON by its schema") {
+  const Json json = written(along_a_segment());
+  CHECK(schema_violations(schema(), json) == std::vector<std::string>{});
+  CHECK(json["query"]["kind"] == "segment");
+  CHECK(json["area"]["measure"] == "sight");
+  CHECK(json["ways"][2]["engine"] == "plain");
+  CHECK(json["ways"][4]["viewpoints"] == 10);
+  CHECK(json["ways"][4]["samples"].is_null());
+  CHECK_FALSE(json["ways"][1].contains("engine"));
+  CHECK_FALSE(written(example())["ways"][2].contains("viewpoints"));
+  Json bad = json;
+  bad["query"].erase("segments");
+  CHECK_FALSE(schema_violations(schema(), bad).empty());
+}
+
+TEST_CASE("sight is missed by the time that a triangle is seen") {
+  const std::vector<ImagePart> parts = seen_parts({{0, 3, 1.5}, {2, 1, 0.5}});
+  CHECK(score({out, out, in}, {in, out, in}, parts).area_missed == 0.75);
 }

@@ -7,6 +7,7 @@
 #include "provis/check_doubles.hpp"
 #include "tests/segment/cases.hpp"
 #include "tests/support/environment.hpp"
+#include "tests/support/random.hpp"
 
 namespace provis::test {
 namespace {
@@ -44,6 +45,29 @@ TEST_CASE("checked doubles answer as unchecked ones, by the same signs") {
       REQUIRE(checked.set.stats.signs.wrong_of(static_cast<Predicate>(p)) <= decided);
     }
   }
+}
+
+TEST_CASE("in general position no sign along a segment is wrong") {
+  std::uint64_t orders = 0;
+  for (const std::uint64_t seed : seeds(4)) {
+    Random random(seed);
+    const auto point = [&](double size) {
+      const double x = random.unit() - 0.5, y = random.unit() - 0.5, z = random.unit() - 0.5;
+      return size * Vec3d{x, y, z};
+    };
+    SceneArrays arrays;
+    for (std::uint32_t k = 0; k < 40; ++k) {
+      const Vec3d at = point(8);
+      arrays.vertices.insert(arrays.vertices.end(), {at + point(4), at + point(4), at + point(4)});
+      arrays.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+      arrays.triangle_flags.push_back(random.chance(20) ? see_through : 0);
+    }
+    const SegmentSet set = check_doubles(Scene(arrays), {point(2), point(2), {Frame{}}, {9, 7}});
+    INFO("soup " << seed);
+    orders += set.set.stats.signs.at(Predicate::event_order, Tier::filter);
+    REQUIRE(wrong_signs(set) == 0);
+  }
+  CHECK(orders > 100);
 }
 
 TEST_CASE("a wrong set along a segment has wrong signs behind it") {
