@@ -16,7 +16,7 @@ std::string name(const Way& way) {
     case Method::exact:
       break;
   }
-  return std::string(name(way.arithmetic)) + (way.plain ? ", plain" : "");
+  return std::string(name(way.arithmetic)) + (way.plain ? " (plain)" : "");
 }
 
 std::string_view name(Ending ending) {

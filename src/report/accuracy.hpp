@@ -25,7 +25,7 @@ struct Way {
 };
 
 /// "sampled 4x4", "sampled 1000" (viewpoints), "aggressive", or for Method::exact the arithmetic and, where
-/// that is not the usual one, the engine: "chain, plain".
+/// that is not the usual one, the engine: "chain (plain)".
 std::string name(const Way& way);
 
 /// How a run came to its end.

@@ -291,9 +291,9 @@ TEST_CASE("along a segment every policy, both engines and numbers of viewpoints 
     CHECK(w["visible"] == 2);
     CHECK(w["score"] == Json{{"wrong_in", 0}, {"wrong_out", 0}, {"set_missed", 0.0}, {"area_missed", 0.0}});
   }
-  CHECK(way(json, "exact, plain")["signs"]["exact"] > 0);
+  CHECK(way(json, "exact (plain)")["signs"]["exact"] > 0);
   CHECK(way(json, "doubles")["signs"]["wrong"] == 0);
-  CHECK(way(json, "doubles, plain")["signs"]["wrong"].is_null());
+  CHECK(way(json, "doubles (plain)")["signs"]["wrong"].is_null());
   CHECK(way(json, "sampled 100000")["viewpoints"] == 100000);
   CHECK_THAT(outcome.out,
              Catch::Contains("which gave the same set") && Catch::Contains("sampling   100 % of the set"));

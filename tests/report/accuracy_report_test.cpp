@@ -198,7 +198,7 @@ TEST_CASE("along a segment the report tells the engines apart, and what sampling
   const std::string text = accuracy_text(report);
   CHECK_THAT(text, Catch::Contains("segment from 0,0,0 to 1,2,3, 6 frames of 32x32 pixels"));
   CHECK_THAT(text, Catch::Contains("sight missed") && !Catch::Contains("area missed"));
-  CHECK_THAT(text, Catch::Contains("\nchain, plain ") && Catch::Contains("\nsampled 1000 "));
+  CHECK_THAT(text, Catch::Contains("\nchain (plain) ") && Catch::Contains("\nsampled 1000 "));
   CHECK_THAT(text, Catch::EndsWith("which gave the same set\n") || Catch::EndsWith("than the chain\n"));
   CHECK_THAT(text, Catch::Contains(
                        "sampling   99 % of the set from 100 viewpoints, in 7.5 times the CPU time of "
