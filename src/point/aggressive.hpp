@@ -240,7 +240,7 @@ void AggressiveBlock<A>::count(QueryStats& stats) const {
 template <Arithmetic A>
 class AggressiveFrame {
  public:
-  AggressiveFrame(const FrameQuery& query, const Facets& facets, Seen& seen)
+  AggressiveFrame(const FrameQuery& query, const Facets& facets, SeenFacets& seen)
       : query_(query), facets_(facets), seen_(seen), borders_(query.window, query.options.pixels) {}
 
   Outcome run() const { return BlockDescent(query_, facets_, *this).run(borders_.grid()); }
@@ -267,7 +267,7 @@ class AggressiveFrame {
 
   const FrameQuery& query_;
   const Facets& facets_;
-  Seen& seen_;
+  SeenFacets& seen_;
   PixelBorders borders_;
 };
 

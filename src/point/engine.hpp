@@ -16,13 +16,13 @@ namespace provis {
 /// not depend on the order of work: then `known` says what needs no further proof.
 template <Arithmetic A, QueryEffects E>
 Outcome resolve_part(const Scene& scene, const FrameQuery& query, const Parts& parts, std::size_t part,
-                     Seen* seen, const std::vector<std::uint8_t>& known) {
+                     SeenFacets* seen, const std::vector<std::uint8_t>& known) {
   Outcome outcome;
   const RoundingGuard<A> guard;
   Signs<A> signs(query.geometry, outcome.stats.signs);
   const Window window = parts.window(part);
   const Facets facets = make_facets(signs, scene, window, parts.members(part));
-  Seen own(seen != nullptr ? 0 : facets.facets.size());
+  SeenFacets own(seen != nullptr ? 0 : facets.facets.size());
   if (seen == nullptr)
     for (std::uint32_t f = 0; f < facets.facets.size(); ++f)
       if (known[facets.facets[f].id]) own.set(f);
@@ -36,7 +36,7 @@ Outcome resolve_frame(const Scene& scene, const FrameQuery& query, const std::ve
   const Parts parts = make_parts(scene, query.geometry, query.window, query.context);
   // Rounded signs make even the set depend on the order of work.
   const bool canonical = query.options.witnesses || A == Arithmetic::doubles;
-  Seen shared(canonical ? std::vector<std::uint8_t>{} : known);
+  SeenFacets shared(canonical ? std::vector<std::uint8_t>{} : known);
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

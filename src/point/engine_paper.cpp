@@ -31,7 +31,7 @@ Outcome paper_frame(const Scene& scene, const FrameQuery& query, const std::vect
       make_facets<A>(scene, query.geometry, query.window, query.context, outcome.stats.signs);
   const WindowMap map(query.geometry);
   const std::size_t n = facets.facets.size();
-  Seen aggressive(n), found(n), found_first(n), undecided(n);
+  SeenFacets aggressive(n), found(n), found_first(n), undecided(n);
   outcome.add(AggressiveFrame<A>(query, facets, aggressive).run());
   const PaperFrameData<A> data{query, facets, map, aggressive, found, found_first, undecided};
   outcome.add(PaperFrame<A>(data).run());

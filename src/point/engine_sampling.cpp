@@ -11,7 +11,7 @@ Outcome sample_frame(const Scene& scene, const FrameQuery& query, const std::vec
   Outcome outcome;
   const Facets facets =
       make_facets<A>(scene, query.geometry, query.window, query.context, outcome.stats.signs);
-  Seen seen(facets.facets.size());
+  SeenFacets seen(facets.facets.size());
   outcome.add(query.options.method == Method::sampled ? SampledFrame<A>(query, facets, seen).run()
                                                       : AggressiveFrame<A>(query, facets, seen).run());
   return outcome;

@@ -14,7 +14,7 @@ namespace provis {
 template <Arithmetic A>
 class Findings {
  public:
-  Findings(const FrameQuery& query, const Facets& facets, Seen& seen, Outcome& outcome)
+  Findings(const FrameQuery& query, const Facets& facets, SeenFacets& seen, Outcome& outcome)
       : query_(query), facets_(facets), seen_(seen), outcome_(outcome) {}
 
   QueryStats& stats() { return outcome_.stats; }
@@ -43,7 +43,7 @@ class Findings {
   template <QueryEffects E>
   bool decide(Leaf<A, E>& leaf, std::uint32_t facet) {
     ++stats().subtractions;
-    const Sight sight = leaf.look(facet);
+    const FacetSight sight = leaf.look(facet);
     if (!sight.visible) return false;
     here_.insert(facet);
     if (Found* found = add(facet)) found->witness = leaf.witness(facet, sight);
@@ -62,7 +62,7 @@ class Findings {
 
   const FrameQuery& query_;
   const Facets& facets_;
-  Seen& seen_;
+  SeenFacets& seen_;
   Outcome& outcome_;
   std::unordered_set<std::uint32_t> here_;
 };

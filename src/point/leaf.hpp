@@ -16,7 +16,7 @@
 namespace provis {
 
 /// How a facet was found visible: by one certain sample, or because nothing was left to subtract.
-struct Sight {
+struct FacetSight {
   bool visible = false;
   bool sampled = false;
   Direction sample;  ///< where sampled: a window ray on which the facet is certainly seen
@@ -37,21 +37,21 @@ class Leaf {
         cutter_(signs, part.points) {}
 
   /// Whether one ray in the middle of facet t certainly shows it; the rest of the answer is open.
-  bool glance(std::uint32_t t, Sight& sight);
+  bool glance(std::uint32_t t, FacetSight& sight);
 
   /// The occluders that may come before facet t somewhere in the tile, front to back.
   std::vector<std::uint32_t> rivals(std::uint32_t t) const;
 
   /// Whether one of a few rays in what plain polygons leave of it does. `waiting` holds its rivals;
   /// those that blocked one come first afterwards.
-  bool glimpse(std::uint32_t t, std::vector<std::uint32_t>& waiting, Sight& sight);
+  bool glimpse(std::uint32_t t, std::vector<std::uint32_t>& waiting, FacetSight& sight);
 
   /// Whether facet t is visible within the tile.
-  Sight look(std::uint32_t t);
+  FacetSight look(std::uint32_t t);
 
   /// A ray on which facet t is hit strictly inside, and which meets no other occluder up to there, not even
   /// at the hit (R11). Requires: sight is what look(t) gave.
-  WitnessPoint witness(std::uint32_t t, const Sight& sight);
+  WitnessPoint witness(std::uint32_t t, const FacetSight& sight);
 
   const std::vector<OrderedFacet>& members() const { return members_; }
   LeafLines<A>& lines() { return lines_; }
@@ -68,14 +68,14 @@ class Leaf {
   static constexpr int most_rounds = 4;  ///< of a glimpse: what is seen is mostly seen at once
 
   PolygonCorner middle(const Polygon& polygon) const;
-  void show(Sight& sight, const PolygonCorner& at) const;
+  void show(FacetSight& sight, const PolygonCorner& at) const;
   bool shows(std::uint32_t t, const PolygonCorner& at);
   Meeting meet(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
   /// Plain doubles take the value on a ray at its word; bounds of rectangles are certain under every policy.
   static double claimed(double error) { return A == Arithmetic::doubles ? 0 : error; }
   double edge_value(std::uint32_t t, std::size_t k, const PolygonCorner& at);
   double nearer_value(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
-  Sight subtract_all(std::uint32_t t, Members& waiting);
+  FacetSight subtract_all(std::uint32_t t, Members& waiting);
 
   bool sample_in(const Cell& cell, PolygonCorner& at);
   bool misses(std::uint32_t o, std::uint32_t t, const Vec3<ExactNumber>& ray);
@@ -177,22 +177,22 @@ PolygonCorner Leaf<A, E>::middle(const Polygon& polygon) const {
 }
 
 template <Arithmetic A, QueryEffects E>
-void Leaf<A, E>::show(Sight& sight, const PolygonCorner& at) const {
+void Leaf<A, E>::show(FacetSight& sight, const PolygonCorner& at) const {
   sight.visible = sight.sampled = true;
   sight.sample = window_direction(signs_, {at.x, at.y, 0});
 }
 
 template <Arithmetic A, QueryEffects E>
-Sight Leaf<A, E>::look(std::uint32_t t) {
+FacetSight Leaf<A, E>::look(std::uint32_t t) {
   Members waiting = rivals(t);
   // The slow policies are there to take signs.
   if constexpr (A == Arithmetic::chain || A == Arithmetic::doubles)
-    if (Sight sight; glimpse(t, waiting, sight)) return sight;
+    if (FacetSight sight; glimpse(t, waiting, sight)) return sight;
   return subtract_all(t, waiting);
 }
 
 template <Arithmetic A, QueryEffects E>
-bool Leaf<A, E>::glance(std::uint32_t t, Sight& sight) {
+bool Leaf<A, E>::glance(std::uint32_t t, FacetSight& sight) {
   Polygon fragment(tile_.window);
   for (const WindowFunction& e : facets_[t].inside) fragment = fragment.clipped(e, 1);
   if (fragment.empty()) return false;
@@ -268,7 +268,7 @@ typename Leaf<A, E>::Meeting Leaf<A, E>::meet(std::uint32_t o, std::uint32_t t, 
 }
 
 template <Arithmetic A, QueryEffects E>
-bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, Sight& sight) {
+bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, FacetSight& sight) {
   std::vector<Polygon> pieces{Polygon(tile_.window)};
   for (const WindowFunction& e : facets_[t].inside) pieces[0] = pieces[0].clipped(e, 1);
   const double least =
@@ -309,7 +309,7 @@ bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, Sight& sight) {
 
 /// Exactly, whatever the position: keeps the pieces of t's cell in which nothing hides it so far.
 template <Arithmetic A, QueryEffects E>
-Sight Leaf<A, E>::subtract_all(std::uint32_t t, Members& waiting) {
+FacetSight Leaf<A, E>::subtract_all(std::uint32_t t, Members& waiting) {
   Region cone;
   lines_.template append_cone<E.front_clip>(t, cone);
   std::vector<Cell> pieces;
@@ -321,7 +321,7 @@ Sight Leaf<A, E>::subtract_all(std::uint32_t t, Members& waiting) {
   }
   std::reverse(waiting.begin(), waiting.end());
   while (!pieces.empty() && !too_many(pieces.size())) {
-    Sight sight;
+    FacetSight sight;
     sight.visible = true;
     if (waiting.empty()) {
       sight.cell = std::move(pieces.back());
@@ -344,7 +344,7 @@ Sight Leaf<A, E>::subtract_all(std::uint32_t t, Members& waiting) {
     waiting.erase(next);
     subtract(o, t, pieces);
   }
-  Sight sight;
+  FacetSight sight;
   sight.visible = !pieces.empty();
   return sight;
 }
@@ -371,7 +371,7 @@ bool Leaf<A, E>::clear_of_all(std::uint32_t t, const Clear& clear) const {
 }
 
 template <Arithmetic A, QueryEffects E>
-WitnessPoint Leaf<A, E>::witness(std::uint32_t t, const Sight& sight) {
+WitnessPoint Leaf<A, E>::witness(std::uint32_t t, const FacetSight& sight) {
   const PolygonCorner at{sight.sample.numbers.x, sight.sample.numbers.y};
   if (sight.sampled && clear_of_all(t, [&](std::uint32_t o) { return meet(o, t, at) == Meeting::clear; }))
     return {ExactNumber(sight.sample.numbers.x), ExactNumber(sight.sample.numbers.y)};

@@ -83,7 +83,7 @@ class LeafSubdivision {
   bool beside(const Facet& f, const Piece& piece);
   bool behind(const Facet& f, const Labelled& cell) const;
   void begin_anew();
-  void begin(std::uint32_t facet) { facet_ = facet, edges_ = no_id; }
+  void begin(std::uint32_t facet);
   std::uint32_t edge(std::uint32_t k);
   void replace(std::size_t cell);
   Outline outline(const Labelled& cell) const;
@@ -116,8 +116,9 @@ class LeafSubdivision {
   CellCutter<A>& cutter_;
   const Tile& tile_;
   std::vector<Band> bands_;
-  std::uint32_t facet_ = 0;      ///< the one that is being inserted
-  std::uint32_t edges_ = no_id;  ///< its bands, which most facets never need
+  std::size_t inserted_ = 0;     ///< facets so far
+  std::uint32_t facet_ = 0;      ///< the last of them
+  std::uint32_t edges_ = no_id;  ///< its edges, which most facets never need
   std::vector<Corner> corners_;
   std::vector<Direction> directions_;
   std::vector<Labelled> cells_, next_;
@@ -174,6 +175,7 @@ void LeafSubdivision<A, E>::begin_anew() {
   }
   whole.box = tile_.window;
   outlines_.assign(1, {tile_.window});
+  inserted_ = 0;
   floor_ = -HUGE_VAL;
 }
 
@@ -210,6 +212,13 @@ bool LeafSubdivision<A, E>::behind(const Facet& f, const Labelled& cell) const {
     const Corner& c = corners_[k];
     return farther.at(c.x, c.y) > (3 * farther.error + slope * c.error) * (1 + 0x1p-20);
   });
+}
+
+template <Arithmetic A, QueryEffects E>
+void LeafSubdivision<A, E>::begin(std::uint32_t facet) {
+  facet_ = facet;
+  edges_ = no_id;
+  ++inserted_;
 }
 
 /// The band of one edge of the facet that is being inserted.
@@ -280,11 +289,13 @@ typename LeafSubdivision<A, E>::Outline LeafSubdivision<A, E>::outline(const Lab
   return o;
 }
 
-/// Cells are faces of an arrangement of the lines, which bounds how many there can be.
+/// Cells are faces of an arrangement of lines: at most four of each facet, one of each two facets, and the
+/// borders. That bounds how many there can be.
 template <Arithmetic A, QueryEffects E>
 bool LeafSubdivision<A, E>::too_many() const {
-  if constexpr (A == Arithmetic::doubles) return cells_.size() > 16 * bands_.size();
-  if (cells_.size() > bands_.size() * bands_.size())
+  const std::size_t n = inserted_, lines = 4 + 4 * n + n * n / 2;
+  if constexpr (A == Arithmetic::doubles) return cells_.size() > 64 * (n + 1);
+  if (cells_.size() > lines * lines)
     throw Error(Error::Code::internal, "point", "more cells than an arrangement can have faces");
   return false;
 }

@@ -17,10 +17,10 @@ struct PaperFrameData {
   const FrameQuery& query;
   const Facets& facets;
   const WindowMap& map;
-  Seen& aggressive;   ///< the set to start from; not changed any more
-  Seen& found;        ///< visible beside those
-  Seen& found_first;  ///< those found by a first iteration
-  Seen& undecided;    ///< not decided by the first iteration of some rectangle
+  SeenFacets& aggressive;   ///< the set to start from; not changed any more
+  SeenFacets& found;        ///< visible beside those
+  SeenFacets& found_first;  ///< those found by a first iteration
+  SeenFacets& undecided;    ///< not decided by the first iteration of some rectangle
 };
 
 template <Arithmetic A>

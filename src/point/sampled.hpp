@@ -11,7 +11,7 @@ namespace provis {
 template <Arithmetic A>
 class SampledFrame {
  public:
-  SampledFrame(const FrameQuery& query, const Facets& facets, Seen& seen)
+  SampledFrame(const FrameQuery& query, const Facets& facets, SeenFacets& seen)
       : query_(query),
         facets_(facets),
         seen_(seen),
@@ -41,7 +41,7 @@ class SampledFrame {
 
   const FrameQuery& query_;
   const Facets& facets_;
-  Seen& seen_;
+  SeenFacets& seen_;
   std::vector<double> x_, y_;
 };
 

@@ -21,10 +21,10 @@ struct Item {
 
 /// Facets already known to be visible. Shared by all threads where only the set is asked for; private to a
 /// part of the window where the answer also says where each was seen, which must not depend on the threads.
-class Seen {
+class SeenFacets {
  public:
-  explicit Seen(std::size_t size) : flags_(size, 0) {}
-  explicit Seen(std::vector<std::uint8_t> known) : flags_(std::move(known)) {}
+  explicit SeenFacets(std::size_t size) : flags_(size, 0) {}
+  explicit SeenFacets(std::vector<std::uint8_t> known) : flags_(std::move(known)) {}
   bool get(std::uint32_t slot) { return ref(slot).load(std::memory_order_relaxed) != 0; }
   /// Returns whether it was new.
   bool set(std::uint32_t slot) { return ref(slot).exchange(1, std::memory_order_relaxed) == 0; }
@@ -48,7 +48,7 @@ template <Arithmetic A, QueryEffects E>
 class Traversal {
  public:
   /// seen: by primitive id where it is shared, else by index into the facets.
-  Traversal(const FrameQuery& query, Signs<A>& signs, const Facets& facets, Seen& seen, bool shared,
+  Traversal(const FrameQuery& query, Signs<A>& signs, const Facets& facets, SeenFacets& seen, bool shared,
             Outcome& outcome)
       : query_(query),
         signs_(signs),
@@ -84,7 +84,7 @@ class Traversal {
   void share(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision);
   void decide(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision, std::uint32_t facet);
   void see_all(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision);
-  void see(Leaf<A, E>& leaf, std::uint32_t facet, const Sight& sight);
+  void see(Leaf<A, E>& leaf, std::uint32_t facet, const FacetSight& sight);
   std::uint32_t slot(std::uint32_t facet) const { return shared_ ? facets_.facets[facet].id : facet; }
 
   const FrameQuery& query_;
@@ -92,7 +92,7 @@ class Traversal {
   const Facets& facets_;
   PartLines<A> lines_;
   Patch patch_;
-  Seen& seen_;
+  SeenFacets& seen_;
   bool shared_;
   Outcome& outcome_;
 };
@@ -204,7 +204,7 @@ void Traversal<A, E>::resolve(const Tile& tile, const Items& items) {
   else
     for (const std::uint32_t f : members) {
       if (seen_.get(slot(f))) continue;
-      const Sight sight = leaf.look(f);
+      const FacetSight sight = leaf.look(f);
       ++outcome_.stats.subtractions;
       if (sight.visible) see(leaf, f, sight);
     }
@@ -232,7 +232,7 @@ typename Traversal<A, E>::Members Traversal<A, E>::open_after_glances(Leaf<A, E>
   int vain = 0;
   for (const auto& [f, nearest] : leaf.members()) {
     if (seen_.get(slot(f))) continue;
-    Sight sight;
+    FacetSight sight;
     if (vain < most_vain && leaf.glance(f, sight)) {
       see(leaf, f, sight);
       vain = 0;
@@ -259,7 +259,7 @@ void Traversal<A, E>::share(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision
 template <Arithmetic A, QueryEffects E>
 void Traversal<A, E>::decide(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision, std::uint32_t facet) {
   Members rivals = leaf.rivals(facet);
-  if (Sight sight; leaf.glimpse(facet, rivals, sight)) {
+  if (FacetSight sight; leaf.glimpse(facet, rivals, sight)) {
     see(leaf, facet, sight);
     return;
   }
@@ -275,7 +275,7 @@ template <Arithmetic A, QueryEffects E>
 void Traversal<A, E>::see_all(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision) {
   subdivision.for_visible([&](std::uint32_t f, const auto& cell) {
     if (seen_.get(slot(f))) return;
-    Sight sight;
+    FacetSight sight;
     sight.visible = true;
     if (query_.options.witnesses) sight.cell = cell();
     see(leaf, f, sight);
@@ -283,7 +283,7 @@ void Traversal<A, E>::see_all(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivisi
 }
 
 template <Arithmetic A, QueryEffects E>
-void Traversal<A, E>::see(Leaf<A, E>& leaf, std::uint32_t facet, const Sight& sight) {
+void Traversal<A, E>::see(Leaf<A, E>& leaf, std::uint32_t facet, const FacetSight& sight) {
   if (sight.sampled) ++outcome_.stats.samples;
   if (!seen_.set(slot(facet))) return;
   Found& found = outcome_.found.emplace_back();
