@@ -28,16 +28,19 @@ ViewCell cell_around(const Vec3d& center, const Vec3d& edges);
 /// window passes check(PointView).
 void check(const ViewCell& cell);
 
-/// Which of the two bounds of the visible set are computed.
+/// What is computed.
 enum class CellMethod {
-  bounds,  ///< both: the lower set by sampling viewpoints and directions, the upper set for what is left
-  lower,   ///< only what is proven to be visible
-  upper,   ///< only what is not proven to be hidden: the camera offset space alone
+  bounds,     ///< both bounds of R9: the lower set by sampling viewpoints and directions, the upper set for
+              ///< what is left
+  lower,      ///< only what is proven to be visible
+  cos,        ///< only what is not proven to be hidden: the camera offset space of the paper, alone
+  cos_exact,  ///< another question (R10): what the samples of the camera offset space show, exactly
 };
 
 struct CellOptions {
   CellMethod method = CellMethod::bounds;
-  PixelGrid pixels{32, 32};  ///< of each raster of a face's hemicube; 1 to 1024 each way
+  PixelGrid pixels{32, 32};  ///< of each raster of a face's hemicube; 1 to 1024 each way. cos_exact: one
+                             ///< sample in the centre of each
   int refinements = 8;       ///< halvings of a pixel's rays where a triangle is left undecided, 0 to 32
   int viewpoints = 32;  ///< lower set: exact sets from so many points besides corners and centre, 0 to 65536
   int directions = 4;   ///< lower set: directions^2 exact samples of the offset space per face, 0 to 256
@@ -56,13 +59,21 @@ struct OffsetStats {
   std::uint64_t resolved = 0;         ///< entries that were held against fused occluders
   std::uint64_t resolved_hidden = 0;  ///< of these, proven to be hidden in their pixel
   std::uint64_t refined = 0;          ///< parts of pixels that were looked at
-  // Triangles kept in a raster without being seen, by what stood in the way of the first fused occluder:
+  // Triangles kept in a raster, by what stood in the way of the first fused occluder:
+  std::uint64_t kept_seen = 0;             ///< one ray certainly meets nothing before it
   std::uint64_t kept_nothing_between = 0;  ///< there was none
   std::uint64_t kept_open_edge = 0;        ///< a silhouette or a gap
   std::uint64_t kept_unusable = 0;         ///< it pierces the triangle, or may come after it
   std::uint64_t kept_too_many = 0;         ///< more than 256 occluders
   std::uint64_t facing_unknown = 0;  ///< triangles whose plane crosses a face: they do not occlude from there
-  double seconds = 0;                ///< of all threads
+  std::uint64_t signs_interval = 0, signs_exact = 0;  ///< signs between input points, by what decided them
+  // Of all threads:
+  double seconds_build = 0;    ///< seams, triangles and edges before each face
+  double seconds_lists = 0;    ///< cutting triangles to beams, ordering them
+  double seconds_early_z = 0;  ///< covers of whole beams
+  double seconds_resolve = 0;  ///< triangles against fused occluders
+
+  double list_average() const;
 
   OffsetStats& operator+=(const OffsetStats& other);
 };
@@ -72,6 +83,7 @@ struct BoundStats {
   std::uint64_t touching = 0;    ///< visible because they meet the cell (R9)
   std::uint64_t viewpoints = 0;  ///< from sampled viewpoints
   std::uint64_t samples = 0;     ///< at samples of the camera offset space (R10°)
+  std::uint64_t boundary = 0;    ///< shown by samples (R10) without a proof
   std::uint64_t undecided = 0;   ///< in the upper set only
   std::uint64_t hidden = 0;
   std::uint64_t unwitnessed = 0;  ///< of `touching`: visible by rule, and no witness was found
@@ -81,8 +93,10 @@ struct BoundStats {
 
 /// The answer for one cell. Visible: the lower set. Hidden: everything outside the upper set.
 struct CellSet {
-  VisibleSet set;  ///< answers R9; a witness for each visible primitive but BoundStats::unwitnessed of them
-  std::vector<PrimitiveId> unwitnessed;  ///< ascending
+  VisibleSet
+      set;  ///< answers R9 (cos_exact: R10); a witness for each visible primitive but those listed here
+  std::vector<PrimitiveId> unwitnessed;  ///< visible because they meet the cell; ascending
+  std::vector<PrimitiveId> boundary;  ///< cos_exact: visible by R10, but not proven to be in R10°; ascending
   BoundStats bounds;
   OffsetStats offset;
 };
@@ -92,15 +106,19 @@ struct CellSet {
 /// Input:      scene: F triangles; cell: a box in world units
 /// Returns:    status per primitive, size F
 /// Guarantee:  bounds (R9): what is visible has a witness, what is hidden is proven hidden; aggressive for
-///             CellMethod::lower, conservative for CellMethod::upper (which still calls visible what meets
-///             the cell); exact where nothing is left undecided
+///             CellMethod::lower, conservative for CellMethod::cos (which still calls visible what meets
+///             the cell); exact where nothing is left undecided. CellMethod::cos_exact is exact for R10: what
+///             is visible along the direction through the centre of a pixel, of any raster of any face, from
+///             an open set of the face's points
 /// Error:      none: float64 coordinates are taken as exact
 /// Requires:   check(cell) passes
 /// Degenerate: triangles that meet the cell's interior, or overlap a face, are visible from the side they
-///             have; coincident triangles are all visible; a cell of one point answers as visible_from_point
-/// Throws:     Error::cancelled, Error::usage (options out of range), Error::unsupported (spheres; no
-/// viewpoint
-///             of a flat cell is free of occluders)
+///             have; coincident triangles are all visible; a cell of one point answers as visible_from_point.
+///             cos_exact: only what lies beyond a face counts, and an occluder in its plane hides nothing
+///             (R6); what is shown from there alone is `boundary`
+/// Throws:     Error::cancelled, Error::usage (options out of range), Error::unsupported (spheres; a flat
+/// cell
+///             without a viewpoint that lies on no occluder; cos_exact of a cell without a face of some area)
 /// Cost:       upper set: about O(pixels l^2), l entries per list; parallel; same answer for any thread count
 /// Source:     J. Hladky, H.-P. Seidel, M. Steinberger, The camera offset space: real-time potentially
 /// visible

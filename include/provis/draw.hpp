@@ -22,8 +22,18 @@ struct Image {
 Image draw_view(const Scene& scene, const VisibleSet& set, const PointView& view, int frame, int width,
                 int height);
 
+/// The same view by status: what is visible in orange; what is hidden behind it as a grey-blue wash, and what
+/// is undecided in green over both.
+Image draw_statuses(const Scene& scene, const VisibleSet& set, const PointView& view, int frame, int width,
+                    int height);
+
+/// How one frame is drawn: draw_view or draw_statuses.
+using DrawFrame = Image (*)(const Scene&, const VisibleSet&, const PointView&, int frame, int width,
+                            int height);
+
 /// Every frame of the view in one picture: a single frame fills it, six are laid out three by two.
-Image draw_frames(const Scene& scene, const VisibleSet& set, const PointView& view, int width, int height);
+Image draw_frames(const Scene& scene, const VisibleSet& set, const PointView& view, int width, int height,
+                  DrawFrame draw = draw_view);
 
 /// The scene from above (along -up of the first frame), visible and hidden primitives told apart and
 /// the viewpoint marked with its window's outline.

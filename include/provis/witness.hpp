@@ -31,8 +31,7 @@ std::size_t verify_witnesses(const Scene& scene, const PointView& view, const Vi
 ///             if there is one, and proves what it claims as above
 /// Degenerate: a cell of one point is that point, which may lie on an occluder (R7)
 /// Throws:     Error::rejected naming the primitive and the reason; a visible primitive without a witness
-/// that
-///             is not in result.unwitnessed; Error::cancelled
+///             that is neither in result.unwitnessed nor in result.boundary; Error::cancelled
 std::size_t verify_witnesses(const Scene& scene, const ViewCell& cell, const CellSet& result,
                              const Context& context = {});
 

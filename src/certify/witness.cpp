@@ -182,7 +182,9 @@ std::size_t verify_witnesses(const Scene& scene, const ViewCell& cell, const Cel
                              const Context& context) {
   check(cell);
   const WitnessChecker checker(scene);
-  return verify(scene, result.set, result.unwitnessed, context, [&](const Witness& w) {
+  std::vector<PrimitiveId> exempt = result.unwitnessed;
+  exempt.insert(exempt.end(), result.boundary.begin(), result.boundary.end());
+  return verify(scene, result.set, exempt, context, [&](const Witness& w) {
     const ExactRay ray(w);
     if (!belongs(ray, cell)) reject(w.primitive, "the ray does not belong to the cell");
     if (!(cell.lower == cell.upper)) checker.check_start(ray, w.primitive);

@@ -15,8 +15,11 @@
 #include "src/cli/arguments.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/peak_memory.hpp"
+#include "src/cli/progress.hpp"
 #include "src/cli/run.hpp"
 #include "src/cli/scene_options.hpp"
+#include "src/cli/window_options.hpp"
+#include "src/report/cell_query.hpp"
 #include "src/report/summary.hpp"
 
 namespace provis {
@@ -28,10 +31,11 @@ constexpr std::uint64_t most_threads = 4096, most_viewpoints = 65536, most_direc
 
 struct CellCommand {
   SceneOptions source;
+  WindowOptions looking;
   std::string center, edge, method = "bounds", size = "32x32", refinements = "8", viewpoints = "32",
                             directions = "4", threads = "0";
   std::string out, ids;
-  bool witness = false;
+  bool witness = false, stats = false;
 
   void add_to(CLI::App& command);
   void run(Run& run) const;
@@ -50,12 +54,25 @@ void CellCommand::say(const std::string& text) const {
     print(text);
 }
 
+/// All that is not proven to be hidden.
+VisibleSet upper_set(VisibleSet set) {
+  for (Status& s : set.status)
+    if (s == Status::undecided) s = Status::visible;
+  return set;
+}
+
 /// One length for a cube, three for a box.
 ViewCell CellCommand::cell() const {
   const Vec3d middle = parse_vec3("--center", center);
-  if (edge.find(',') != std::string::npos) return cell_around(middle, parse_vec3("--edge", edge));
-  const double a = parse_number("--edge", edge);
-  return cell_around(middle, {a, a, a});
+  ViewCell where;
+  if (edge.find(',') != std::string::npos) {
+    where = cell_around(middle, parse_vec3("--edge", edge));
+  } else {
+    const double a = parse_number("--edge", edge);
+    where = cell_around(middle, {a, a, a});
+  }
+  where.window = looking.frame(middle, parse_size("--cos-size", size));
+  return where;
 }
 
 CellOptions CellCommand::options() const {
@@ -63,9 +80,10 @@ CellOptions CellCommand::options() const {
     return static_cast<int>(parse_whole(option, text, 0, most));
   };
   CellOptions o;
-  o.method = method == "lower"   ? CellMethod::lower
-             : method == "upper" ? CellMethod::upper
-                                 : CellMethod::bounds;
+  o.method = method == "lower"       ? CellMethod::lower
+             : method == "cos"       ? CellMethod::cos
+             : method == "cos-exact" ? CellMethod::cos_exact
+                                     : CellMethod::bounds;
   const auto [width, height] = parse_size("--cos-size", size);
   o.pixels = {width, height};
   o.refinements = whole("--refinements", refinements, most_refinements);
@@ -93,8 +111,11 @@ ResultFile CellCommand::query(const Scene& scene, const ViewCell& where, Run& ru
   h.options["sample-directions"] = directions;
   h.options["viewpoint-seed"] = std::to_string(options().seed);
 
+  ProgressLine line;
+  Context context = run.context;
+  if (line.enabled()) context.on_progress = [&](const Progress& progress) { line.show(progress); };
   const PeakMemory peak;
-  CellSet set = visible_from_cell(scene, where, options(), run.context);
+  CellSet set = visible_from_cell(scene, where, options(), context);
   if (witness) {
     run.stage("verifying the witnesses");
     say(fmt::format("verified   {} witnesses, each against all {} triangles\n",
@@ -104,6 +125,7 @@ ResultFile CellCommand::query(const Scene& scene, const ViewCell& where, Run& ru
   }
   set.set.stats.peak_bytes = peak.bytes();
   result.set = std::move(set.set);
+  result.boundary = std::move(set.boundary);
   result.counts = CellCounts{std::move(set.unwitnessed), set.bounds, set.offset};
   return result;
 }
@@ -129,10 +151,12 @@ void CellCommand::run(Run& run) const {
 
   run.stage("writing the result");
   if (result_file) write_result(result, result_file->stream());
-  if (ids_file) write_ids(result.set, ids_file->stream());
+  if (ids_file) write_ids(method == "cos" ? upper_set(result.set) : result.set, ids_file->stream());
   for (std::optional<Output>* f : {&result_file, &ids_file})
     if (*f) (*f)->commit();
   if (!result_file && !ids_file) print(summary(result));
+  if (stats)
+    say(cell_table(*result.counts) + sign_table(result.set.stats.signs) + memory_text(result.set.stats));
 }
 
 void CellCommand::add_to(CLI::App& command) {
@@ -143,13 +167,15 @@ void CellCommand::add_to(CLI::App& command) {
       ->required()
       ->type_name("A[,B,C]")
       ->group(where);
+  looking.add_to(command);
   const char* computing = "How to compute";
   command
       .add_option(
           "--method", method,
-          "'bounds', what is proven visible and what is not proven hidden; 'lower' or 'upper', one of the "
-          "two [bounds]")
-      ->check(CLI::IsMember({"bounds", "lower", "upper"}))
+          "'bounds', what is proven visible and what is not proven hidden; 'lower', only what is proven "
+          "visible; 'cos', what the camera offset space does not prove hidden; 'cos-exact', what its samples "
+          "show, one direction in the centre of each pixel, exactly [bounds]")
+      ->check(CLI::IsMember({"bounds", "lower", "cos", "cos-exact"}))
       ->type_name("")
       ->group(computing);
   const auto number = [&](const char* name, std::string& value, const char* help) {
@@ -158,7 +184,8 @@ void CellCommand::add_to(CLI::App& command) {
   command
       .add_option(
           "--cos-size", size,
-          "Pixels of each raster of the camera offset space, at most 1024 each way: more hides more [32x32]")
+          "Pixels of each raster of the camera offset space, five around each face, one with --dir; at most "
+          "1024 each way: more hides more, and shows more with 'cos-exact' [32x32]")
       ->type_name("WxH")
       ->group(computing);
   number("--refinements", refinements,
@@ -166,15 +193,27 @@ void CellCommand::add_to(CLI::App& command) {
   number("--viewpoints", viewpoints,
          "Exact sets from so many viewpoints, besides corners and middle, 0 to 65536 [32]");
   number("--directions", directions,
-         "Exact samples of the camera offset space, N^2 for each face of the cell, 0 to 256 [4]");
+         "Exact samples of the camera offset space for 'bounds' and 'lower', N^2 for each face of the cell, "
+         "0 to "
+         "256 [4]");
   number("--threads", threads, "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]");
   const char* output = "Output";
   command
       .add_option("--out", out, "Write the result as JSON, which 'provis draw' reads; '-' is standard output")
       ->type_name("FILE")
       ->group(output);
-  command.add_option("--ids", ids, "Write one visible id per line, ascending; '-' is standard output")
+  command
+      .add_option(
+          "--ids", ids,
+          "Write one visible id per line, ascending, with 'cos' also the undecided ones; '-' is standard "
+          "output")
       ->type_name("FILE")
+      ->group(output);
+  command
+      .add_flag(
+          "--stats", stats,
+          "Print all counters and times of the stages, how many comparisons each tier of the arithmetic "
+          "decided, and the peak of memory")
       ->group(output);
   command
       .add_flag("--witness", witness,
@@ -186,7 +225,9 @@ void CellCommand::add_to(CLI::App& command) {
       "undecided may be either.\n\n"
       "Examples:\n"
       "  provis cell town.glb --center 0,1.7,0 --edge 0.3\n"
-      "  provis cell town.glb --center 0,1.7,0 --edge 1,0.5,1 --cos-size 128x128 --witness --out town.json");
+      "  provis cell town.glb --center 0,1.7,0 --edge 1,0.5,1 --cos-size 128x128 --witness --out town.json\n"
+      "  provis cell town.glb --center 0,1.7,0 --edge 0.3 --dir 0,0,-1 --method cos --cos-size 200x100 "
+      "--stats");
 }
 
 }  // namespace

@@ -61,7 +61,10 @@ void run_draw(const DrawOptions& options, Run& run) {
   if (!options.view_image.empty()) {
     run.stage("drawing " + options.view_image);
     const Size size = sized ? stated : view_size(view);
-    write_png(draw_frames(scene, result.set, view, size[0], size[1]), options.view_image);
+    // Of a cell, what the middle does not see is the matter.
+    write_png(draw_frames(scene, result.set, view, size[0], size[1],
+                          result.header.cell ? draw_statuses : draw_view),
+              options.view_image);
   }
   if (!options.above.empty()) {
     run.stage("drawing " + options.above);
@@ -93,10 +96,12 @@ Action add_draw(CLI::App& program) {
       ->required()
       ->type_name("FILE");
   command
-      ->add_option("--view-image", options->view_image,
-                   "PNG to write: the view, a colour per visible primitive; an omni view as six square "
-                   "faces, three by "
-                   "two")
+      ->add_option(
+          "--view-image", options->view_image,
+          "PNG to write: the view, a colour per visible primitive; an omni view as six square "
+          "faces, three by "
+          "two. Of a cell: from its middle, visible in orange, hidden as a grey-blue wash, undecided in "
+          "green over both")
       ->type_name("FILE");
   command
       ->add_option(

@@ -16,11 +16,25 @@ bool certainly(const std::optional<Sign>& s, Sign wanted) { return s && *s == wa
 
 }  // namespace
 
-/// The segment certainly passes through the triangle's interior on its way; `to` may be any point of a ray.
-bool Resolver::crosses(const Facet& f, const Point& from, const Point& to) const {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!(turn(*f.p[k], *f.p[(k + 1) % 3], to, from).inf() > 0)) return false;
-  return true;
+std::optional<bool> Resolver::aims_at(const Facet& f, const Point& from, const Point& to) const {
+  bool left = false, right = false, all_left = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Interval t = turn(*f.p[k], *f.p[(k + 1) % 3], to, from);
+    left = left || t.inf() > 0;
+    right = right || t.sup() < 0;
+    all_left = all_left && t.inf() > 0;
+  }
+  // A faced triangle is hit only where all three are positive.
+  if (f.faced ? right : left && right) return false;
+  return f.faced && all_left ? std::optional(true) : std::nullopt;
+}
+
+std::optional<bool> Resolver::crosses(const Facet& f, const Point& from, const Point& to) const {
+  const std::optional<bool> aimed = aims_at(f, from, to);
+  if (aimed == false || !f.faced) return aimed;
+  const std::optional<Sign> side = beyond(f, to);
+  if (certainly(side, Sign::negative)) return false;
+  return certainly(side, Sign::positive) ? aimed : std::nullopt;
 }
 
 Beam::Beam(const Face& viewpoints, const Raster& raster, const Shafts& shafts, const Window& window)
@@ -43,7 +57,7 @@ std::optional<Cover> Resolver::cover(const Beam& beam, const std::vector<Entry>&
   std::size_t seeds = 0;
   for (const Entry& entry : list) {
     const Facet& f = facets_[entry.facet];
-    if (!f.occludes || !crosses(f, beam.viewpoint, ahead)) continue;
+    if (!f.occludes || aims_at(f, beam.viewpoint, ahead) != true) continue;
     if (++seeds > most_seeds) break;
     const auto members = fusion_.grow(entry.facet, most_members, any, reaches);
     if (!members) continue;
@@ -160,8 +174,24 @@ bool Resolver::may_be_crossed(const Mesh::Edge& edge, const Face& face, const En
   return !(f.faced && not_before(0) && not_before(1));
 }
 
+/// A point of the face from which the beam's middle direction, or one near it, leads to the point.
+Point Resolver::viewpoint_towards(const Beam& beam, const Point& to) const {
+  const Face& face = beam.face;
+  const auto middle = [](const Interval& x) { return 0.5 * x.inf() + 0.5 * x.sup(); };
+  const double way =
+      (middle(component(to, face.axis)) - face.height) / middle(component(beam.ray, face.axis));
+  Point from = numbers<Interval>(face.corners[0]);
+  for (const int axis : {(face.axis + 1) % 3, (face.axis + 2) % 3}) {
+    const double at = middle(component(to, axis)) - way * middle(component(beam.ray, axis)),
+                 lo = component(face.corners[0], axis), hi = component(face.corners[2], axis);
+    // No number if the beam runs along the face.
+    component(from, axis) = Interval(at >= lo ? std::min(at, hi) : lo);
+  }
+  return from;
+}
+
 Failure Resolver::hide(const Beam& beam, const std::vector<Entry>& list, const Entry& entry) {
-  const Point to = inner_point(entry.polygon);
+  const Point to = inner_point(entry.polygon), from = viewpoint_towards(beam, to);
   const auto usable = [&](std::uint32_t m) {
     const Facet& f = facets_[m];
     return m != entry.facet && (lies_beyond(f, entry) || boxes_apart(f, entry));
@@ -169,17 +199,19 @@ Failure Resolver::hide(const Beam& beam, const std::vector<Entry>& list, const E
   const auto may_cross = [&](const Mesh::Edge& e) { return may_be_crossed(e, beam.face, entry); };
   std::size_t seeds = 0;
   Failure first = Failure::nothing_between;
+  bool clear = facets_[entry.facet].faced && shafts_.holds(beam.directions, to - from);
   for (const Entry& occluder : list) {
     if (occluder.near > entry.far) break;  // the list is in order of least depth
     const Facet& f = facets_[occluder.facet];
-    if (!f.occludes || occluder.facet == entry.facet || !crosses(f, beam.viewpoint, to) ||
-        !certainly(beyond(f, to), Sign::positive))
-      continue;
+    if (!f.opaque || occluder.facet == entry.facet || (!f.occludes && !clear)) continue;
+    const std::optional<bool> crossed = crosses(f, from, to);
+    clear = clear && crossed == false;
+    if (!f.occludes || crossed != true) continue;
     if (++seeds > most_seeds) break;
     if (fusion_.grow(occluder.facet, most_members, usable, may_cross)) return Failure::none;
     if (seeds == 1) first = fusion_.failure();
   }
-  return first;
+  return clear ? Failure::seen : first;
 }
 
 }  // namespace provis::offset

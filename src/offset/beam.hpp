@@ -47,10 +47,12 @@ class Resolver {
   bool behind(const Cover& cover, const Entry& entry) const;
 
   /// Failure::none if some occluders of the list certainly come before the entry on all rays of the beam that
-  /// hit it; otherwise what stood in the way of the nearest that came into question.
+  /// hit it; Failure::seen if one such ray certainly meets nothing before it, so that no part of the beam can
+  /// hide it; otherwise what stood in the way of the nearest that came into question.
   Failure hide(const Beam& beam, const std::vector<Entry>& list, const Entry& entry);
 
  private:
+  Point viewpoint_towards(const Beam& beam, const Point& to) const;
   bool lies_beyond(const Facet& occluder, const Entry& entry) const;
   bool lies_beyond(const Facet& occluder, const Facet& facet) const;
   double farthest(const std::vector<std::uint32_t>& members, const std::vector<Entry>& list);
@@ -58,7 +60,10 @@ class Resolver {
   bool may_be_crossed(const Mesh::Edge& edge, const Face& face, const Entry& entry) const;
   std::optional<Sign> turn_of(const Mesh::Edge& edge, const Entry& entry, const Corner& corner,
                               const Vec3d& viewpoint) const;
-  bool crosses(const Facet& occluder, const Point& from, const Point& to) const;
+  /// Whether the line passes through the triangle's interior; nullopt where that is not certain.
+  std::optional<bool> aims_at(const Facet& facet, const Point& from, const Point& to) const;
+  /// The same for the segment.
+  std::optional<bool> crosses(const Facet& facet, const Point& from, const Point& to) const;
 
   static constexpr std::size_t most_members = 256, most_seeds = 8;
 

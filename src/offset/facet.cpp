@@ -58,8 +58,9 @@ Facets facets_of(const Scene& scene, const Seams& seams, const Face& face) {
     const Sides seen = sides(face, *f.p[0], *f.p[1], *f.p[2]);
     if (!seen.front && (!seen.back || (flags & single_sided))) continue;
     f.faced = seen.front != seen.back;
-    f.occludes = f.faced && !(flags & see_through);
-    if (!f.faced && !(flags & see_through)) ++facets.facing_unknown;
+    f.opaque = !(flags & see_through);
+    f.occludes = f.faced && f.opaque;
+    if (!f.faced && f.opaque) ++facets.facing_unknown;
     // A front runs counter-clockwise, which is the negative orientation (predicates/README.md).
     if (seen.front) {
       std::swap(f.p[1], f.p[2]);

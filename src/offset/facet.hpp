@@ -17,8 +17,9 @@ struct Facet {
   std::array<std::uint32_t, 3> v{};  ///< numbers of Seams
   std::array<std::uint8_t, 3> edge{0, 1, 2};  ///< which edge of the triangle leads from p[k] to p[k + 1]
   bool faced = false;                         ///< the whole face lies on one side of the plane, and not in it
-  bool occludes = false;                      ///< faced, opaque, and seen from the side that it has
-  Vec3d lower, upper;                         ///< its box, exact
+  bool opaque = false;
+  bool occludes = false;  ///< faced, opaque, and seen from the side that it has
+  Vec3d lower, upper;     ///< its box, exact
 };
 
 struct Facets {

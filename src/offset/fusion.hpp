@@ -43,6 +43,7 @@ class Mesh {
 /// Why a set of occluders hides nothing.
 enum class Failure : std::uint8_t {
   none,
+  seen,             ///< a ray of the beam meets nothing before it
   nothing_between,  ///< no occluder to begin with
   open_edge,        ///< an edge is in the way, and nobody continues beyond it
   unusable,         ///< who does may pierce the triangle or come after it

@@ -1,8 +1,12 @@
 #include "src/offset/offset_space.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
+#include <optional>
+#include <span>
 
+#include "predicates/certain_sign.hpp"
 #include "predicates/environment.hpp"
 #include "provis/error.hpp"
 #include "src/offset/beam.hpp"
@@ -17,9 +21,37 @@ struct Outlook {
   Face face;
   Facets facets;
   Mesh mesh;
+  OffsetStats stats;
 
   Outlook(const Scene& scene, const Seams& seams, const Face& f)
-      : face(f), facets(facets_of(scene, seams, face)), mesh(facets.all, seams) {}
+      : face(f), facets(facets_of(scene, seams, face)), mesh(facets.all, seams) {
+    stats.facing_unknown = facets.facing_unknown;
+  }
+};
+
+/// What certain signs cost this thread from here on.
+class SignTally {
+ public:
+  void read(OffsetStats& stats) const {
+    stats.signs_interval = certain_signs.interval - before_.interval;
+    stats.signs_exact = certain_signs.exact - before_.exact;
+  }
+
+ private:
+  CertainSigns before_ = certain_signs;
+};
+
+/// Adds the time until it is gone.
+class Timer {
+ public:
+  explicit Timer(double& sum) : sum_(sum) {}
+  ~Timer() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /// Halves one raster down to its pixels, and what is left undecided there some times more.
@@ -50,13 +82,19 @@ class Descent {
   };
 
   Window window(const Block& b) const;
-  std::vector<Entry> part(const Beam& beam, const std::vector<Entry>& list) const;
-  void halve(const Block& block, std::vector<Entry> list);
+  std::vector<Entry> part(std::span<const HalfSpace> cuts, const std::vector<Entry>& list);
+  void halve(const Block& block, std::vector<Entry> list, std::optional<std::size_t> cut);
   void refine(const Beam& beam, std::vector<Entry> list, int left);
-  std::array<Beam, 2> halves(const Beam& beam, const std::vector<Entry>& list) const;
+  /// A half of a beam, and the half spaces that the whole does not lie in.
+  struct Half {
+    Beam beam;
+    std::size_t first = 0, count = Shafts::count;
+    std::span<const HalfSpace> cuts() const { return std::span(beam.spaces).subspan(first, count); }
+  };
+  std::array<Half, 2> halves(const Beam& beam, const std::vector<Entry>& list) const;
   void drop_covered(const Beam& beam, std::vector<Entry>& list);
-  void resolve(const Beam& beam, std::vector<Entry>& list);
-  void keep(const std::vector<Entry>& list);
+  std::uint64_t resolve(const Beam& beam, std::vector<Entry>& list);
+  void keep(Entry& entry);
   void count(Failure f);
   bool measure(Entry& entry) const;
   void forget_known(std::vector<Entry>& list) const;
@@ -100,7 +138,7 @@ void Descent::run() {
     for (const HalfSpace& h : beam.spaces) e.polygon.clip(h);
     if (e.polygon.size > 0) list.push_back(e);
   }
-  halve(all, std::move(list));
+  halve(all, std::move(list), std::nullopt);
 }
 
 /// The least and greatest depth of what is left; false if nothing is.
@@ -116,11 +154,13 @@ bool Descent::measure(Entry& e) const {
   return true;
 }
 
-/// What of the list the rays of the beam may hit, in order of least depth.
-std::vector<Entry> Descent::part(const Beam& beam, const std::vector<Entry>& list) const {
+/// What of the list lies in the half spaces, in order of least depth. Those of a beam in which the list lies
+/// already need not be named.
+std::vector<Entry> Descent::part(std::span<const HalfSpace> cuts, const std::vector<Entry>& list) {
+  const Timer timer(stats_.seconds_lists);
   std::vector<Entry> in;
   for (Entry e : list) {
-    for (const HalfSpace& h : beam.spaces) e.polygon.clip(h);
+    for (const HalfSpace& h : cuts) e.polygon.clip(h);
     if (measure(e)) in.push_back(e);
   }
   std::sort(in.begin(), in.end(), [](const Entry& a, const Entry& b) {
@@ -135,6 +175,7 @@ void Descent::forget_known(std::vector<Entry>& list) const {
 
 /// Early z: what lies behind occluders that cover the whole beam is gone.
 void Descent::drop_covered(const Beam& beam, std::vector<Entry>& list) {
+  const Timer timer(stats_.seconds_early_z);
   const auto cover = resolver_.cover(beam, list);
   if (!cover) return;
   const std::size_t before = list.size();
@@ -142,18 +183,29 @@ void Descent::drop_covered(const Beam& beam, std::vector<Entry>& list) {
   stats_.early_hidden += before - list.size();
 }
 
-/// What is proven to be hidden in the beam is no longer wanted in it.
-void Descent::resolve(const Beam& beam, std::vector<Entry>& list) {
+/// What is proven to be hidden in the beam is no longer wanted in it; what is seen, nowhere. Returns how much
+/// is hidden.
+std::uint64_t Descent::resolve(const Beam& beam, std::vector<Entry>& list) {
+  const Timer timer(stats_.seconds_resolve);
+  std::uint64_t hidden = 0;
   for (Entry& e : list) {
     if (!e.wanted) continue;
     e.failure = resolver_.hide(beam, list, e);
-    e.wanted = e.failure != Failure::none;
+    if (e.failure == Failure::seen) keep(e);
+    if (e.failure == Failure::none) {
+      e.wanted = false;
+      ++hidden;
+    }
   }
+  return hidden;
 }
 
 void Descent::count(Failure f) {
   switch (f) {
     case Failure::none:
+      break;
+    case Failure::seen:
+      ++stats_.kept_seen;
       break;
     case Failure::nothing_between:
       ++stats_.kept_nothing_between;
@@ -169,20 +221,20 @@ void Descent::count(Failure f) {
   }
 }
 
-void Descent::keep(const std::vector<Entry>& list) {
-  for (const Entry& e : list) {
-    if (!e.wanted) continue;
-    count(e.failure);
-    reached_[facet(e).id] = 1;
-    wanted_[facet(e).id] = 0;
-  }
+void Descent::keep(Entry& e) {
+  count(e.failure);
+  reached_[facet(e).id] = 1;
+  wanted_[facet(e).id] = 0;
+  e.wanted = false;
 }
 
-void Descent::halve(const Block& block, std::vector<Entry> list) {
+/// The list lies in the block before, which reaches beyond one border: the half space `cut`.
+void Descent::halve(const Block& block, std::vector<Entry> list, std::optional<std::size_t> cut) {
   if (context_.cancelled()) throw Error(Error::Code::cancelled, "cell", "interrupted");
   ++stats_.beams;
   const Beam beam(outlook_.face, raster_, shafts_, window(block));
-  list = part(beam, list);
+  using Cuts = std::span<const HalfSpace>;
+  list = part(cut ? Cuts(&beam.spaces[*cut], 1) : Cuts(), list);
   forget_known(list);
   if (count_wanted(list) == 0) return;
   drop_covered(beam, list);
@@ -191,25 +243,25 @@ void Descent::halve(const Block& block, std::vector<Entry> list) {
     ++stats_.lists;
     stats_.list_entries += list.size();
     stats_.list_most = std::max<std::uint64_t>(stats_.list_most, list.size());
-    resolve(beam, list);
     stats_.resolved += asked;
-    stats_.resolved_hidden += asked - static_cast<std::uint64_t>(count_wanted(list));
+    stats_.resolved_hidden += resolve(beam, list);
     return refine(beam, std::move(list), refinements_);
   }
   if (count_wanted(list) <= few_wanted) resolve(beam, list);
   if (count_wanted(list) == 0) return;
   Block first = block, second = block;
-  if (block.column1 - block.column0 >= block.row1 - block.row0)
+  const bool across = block.column1 - block.column0 >= block.row1 - block.row0;
+  if (across)
     first.column1 = second.column0 = (block.column0 + block.column1) / 2;
   else
     first.row1 = second.row0 = (block.row0 + block.row1) / 2;
-  halve(first, list);
-  halve(second, std::move(list));
+  halve(first, list, across ? Shafts::left : Shafts::below);
+  halve(second, std::move(list), across ? Shafts::right : Shafts::above);
 }
 
 /// Halves a beam where its shaft is widest: one of two edges of the face, or one of two ranges of directions,
 /// taken at the depth of what is to be decided.
-std::array<Beam, 2> Descent::halves(const Beam& beam, const std::vector<Entry>& list) const {
+std::array<Descent::Half, 2> Descent::halves(const Beam& beam, const std::vector<Entry>& list) const {
   const Vec3d size = beam.face.corners[2] - beam.face.corners[0];
   const Window& w = beam.directions;
   double depth = HUGE_VAL;
@@ -220,14 +272,15 @@ std::array<Beam, 2> Descent::halves(const Beam& beam, const std::vector<Entry>& 
   const double widths[4] = {component(size, i), component(size, j), reach * (w.x1 - w.x0),
                             reach * (w.y1 - w.y0)};
   const auto widest = std::max_element(widths, widths + 4) - widths;
-  const auto half = [&](bool upper) {
-    if (widest < 2) return Beam(beam.face.half(static_cast<int>(widest), upper), raster_, shafts_, w);
+  const auto half = [&](bool upper) -> Half {
+    if (widest < 2) return {Beam(beam.face.half(static_cast<int>(widest), upper), raster_, shafts_, w)};
     Window h = w;
-    if (widest == 2)
+    if (widest == 2) {
       (upper ? h.x0 : h.x1) = 0.5 * w.x0 + 0.5 * w.x1;
-    else
-      (upper ? h.y0 : h.y1) = 0.5 * w.y0 + 0.5 * w.y1;
-    return Beam(beam.face, raster_, shafts_, h);
+      return {Beam(beam.face, raster_, shafts_, h), upper ? Shafts::right : Shafts::left, 1};
+    }
+    (upper ? h.y0 : h.y1) = 0.5 * w.y0 + 0.5 * w.y1;
+    return {Beam(beam.face, raster_, shafts_, h), upper ? Shafts::above : Shafts::below, 1};
   };
   return {half(false), half(true)};
 }
@@ -235,23 +288,30 @@ std::array<Beam, 2> Descent::halves(const Beam& beam, const std::vector<Entry>& 
 void Descent::refine(const Beam& beam, std::vector<Entry> list, int left) {
   forget_known(list);
   if (count_wanted(list) == 0) return;
-  if (left == 0) return keep(list);
-  for (const Beam& half : halves(beam, list)) {
+  if (left == 0) {
+    for (Entry& e : list)
+      if (e.wanted) keep(e);
+    return;
+  }
+  for (const Half& half : halves(beam, list)) {
     ++stats_.refined;
-    std::vector<Entry> in = part(half, list);
+    std::vector<Entry> in = part(half.cuts(), list);
     forget_known(in);
     if (count_wanted(in) == 0) continue;
-    drop_covered(half, in);
-    resolve(half, in);
-    refine(half, std::move(in), left - 1);
+    drop_covered(half.beam, in);
+    resolve(half.beam, in);
+    refine(half.beam, std::move(in), left - 1);
   }
 }
 
 }  // namespace
 
 UpperSet reach(const Scene& scene, const ViewCell& cell, const std::vector<char>& wanted,
-               const PixelGrid& pixels, int refinements, const Context& context) {
+               const PixelGrid& pixels, int refinements, const Context& context, ProgressMeter& meter) {
+  const Stopwatch building;
   const Seams seams = on_threads(context, [&] { return Seams(scene); });
+  UpperSet set{std::vector<char>(wanted.size(), 0), {}};
+  set.stats.seconds_build = building.seconds();
   const std::vector<Face> faces = faces_of(cell);
   std::vector<std::unique_ptr<Outlook>> outlooks(faces.size());
   struct Task {
@@ -267,25 +327,29 @@ UpperSet reach(const Scene& scene, const ViewCell& cell, const std::vector<char>
   on_threads(context, [&] {
     parallel_for(faces.size(), [&](std::size_t f) {
       const RoundUp guard;
+      const SignTally tally;
+      const Stopwatch stopwatch;
       outlooks[f] = std::make_unique<Outlook>(scene, seams, faces[f]);
+      outlooks[f]->stats.seconds_build = stopwatch.seconds();
+      tally.read(outlooks[f]->stats);
     });
     parallel_queue(tasks.size(), [&](std::size_t k) {
       const RoundUp guard;
-      const Stopwatch stopwatch;
+      const SignTally tally;
       Descent descent(*outlooks[tasks[k].face], tasks[k].raster, wanted, refinements, context);
       descent.run();
       tasks[k].reached = descent.reached();
       tasks[k].stats = descent.stats();
-      tasks[k].stats.seconds = stopwatch.seconds();
+      tally.read(tasks[k].stats);
+      meter.add(1 / static_cast<double>(tasks.size()));
     });
   });
 
-  UpperSet set{std::vector<char>(wanted.size(), 0), {}};
   for (const Task& t : tasks) {
     for (std::size_t id = 0; id < set.reached.size(); ++id) set.reached[id] |= t.reached[id];
     set.stats += t.stats;
   }
-  for (const auto& o : outlooks) set.stats.facing_unknown += o->facets.facing_unknown;
+  for (const auto& o : outlooks) set.stats += o->stats;
   return set;
 }
 

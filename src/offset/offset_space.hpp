@@ -2,6 +2,7 @@
 // The camera offset space of a view cell: what is not proven to be hidden from it.
 
 #include "provis/cell.hpp"
+#include "src/scene/progress_meter.hpp"
 
 namespace provis::offset {
 
@@ -21,6 +22,6 @@ struct UpperSet {
 ///             function
 /// Throws:     Error::cancelled
 UpperSet reach(const Scene& scene, const ViewCell& cell, const std::vector<char>& wanted,
-               const PixelGrid& pixels, int refinements, const Context& context);
+               const PixelGrid& pixels, int refinements, const Context& context, ProgressMeter& meter);
 
 }  // namespace provis::offset

@@ -96,6 +96,12 @@ Shafts::Spaces Shafts::around(const Face& face, const Window& w) const {
           half_space(face, z_)};
 }
 
+bool Shafts::holds(const Window& w, const Point& d) const {
+  const Interval x = dot(x_, d), y = dot(y_, d), z = dot(z_, d);
+  return z.inf() > 0 && (x - Interval(w.x0) * z).inf() >= 0 && (Interval(w.x1) * z - x).inf() >= 0 &&
+         (y - Interval(w.y0) * z).inf() >= 0 && (Interval(w.y1) * z - y).inf() >= 0;
+}
+
 bool misses(const Vec3d& a, const Vec3d& b, const Shafts::Spaces& spaces) {
   const Point from = numbers<Interval>(a), to = numbers<Interval>(b);
   double first = 0, last = 1;

@@ -51,6 +51,9 @@ class Shafts {
   /// Beyond the borders of the rectangle, beyond the face, and not before the nearest viewpoint.
   Spaces around(const Face& face, const Window& directions) const;
 
+  /// Whether the direction certainly belongs to a rectangle of directions.
+  bool holds(const Window& directions, const Point& d) const;
+
   /// Grows along every ray of the raster, and by the same measure for all of them.
   Interval depth(const Point& p) const { return dot(z_, p); }
 

@@ -8,6 +8,8 @@
 #include "provis/point.hpp"
 #include "src/offset/offset_space.hpp"
 #include "src/region/contact.hpp"
+#include "src/region/exact_samples.hpp"
+#include "src/region/face_parts.hpp"
 #include "src/region/lower.hpp"
 #include "src/region/viewpoints.hpp"
 #include "src/scene/parallel.hpp"
@@ -35,7 +37,14 @@ void check(const CellOptions& o) {
 class Query {
  public:
   Query(const Scene& scene, const ViewCell& cell, const CellOptions& options, const Context& context)
-      : scene_(scene), cell_(cell), options_(options), context_(context), lower_(scene, cell, context) {}
+      : scene_(scene),
+        cell_(cell),
+        options_(options),
+        context_(context),
+        lower_(scene, cell, context),
+        meter_(context, options.method == CellMethod::bounds  ? 3
+                        : options.method == CellMethod::lower ? 2
+                                                              : 1) {}
 
   CellSet answer();
 
@@ -44,12 +53,15 @@ class Query {
   void find_lower();
   void find_upper();
   void conclude();
+  void take_samples();
+  void count();
 
   const Scene& scene_;
   const ViewCell& cell_;
   const CellOptions& options_;
   const Context& context_;
   LowerSet lower_;
+  ProgressMeter meter_;  ///< one for viewpoints, samples and the offset space each
   std::vector<Contact> contacts_;
   CellSet result_;
 };
@@ -74,10 +86,10 @@ void Query::find_lower() {
     throw Error(Error::Code::unsupported, "cell", "no viewpoint was found that lies on no occluder");
   BoundStats& b = result_.bounds;
   b.viewpoints_used = viewpoints.size();
-  b.viewpoints = lower_.look_from(viewpoints);
+  b.viewpoints = lower_.look_from(viewpoints, meter_);
   b.seconds_viewpoints = looking.seconds();
   const Stopwatch sampling;
-  b.samples = lower_.look_along(options_.directions, b.samples_used);
+  b.samples = lower_.look_along(options_.directions, b.samples_used, meter_);
   b.seconds_samples = sampling.seconds();
 }
 
@@ -87,7 +99,7 @@ void Query::find_upper() {
   for (PrimitiveId id = 0; id < wanted.size(); ++id)
     wanted[id] = contacts_[id] == Contact::apart && !lower_.holds(id);
   const offset::UpperSet upper =
-      offset::reach(scene_, cell_, wanted, options_.pixels, options_.refinements, context_);
+      offset::reach(scene_, cell_, wanted, options_.pixels, options_.refinements, context_, meter_);
   for (PrimitiveId id = 0; id < wanted.size(); ++id)
     result_.set.status[id] = upper.reached[id] ? Status::undecided : Status::hidden;
   result_.offset = upper.stats;
@@ -114,32 +126,70 @@ void Query::conclude() {
   for (PrimitiveId id = 0; id < status.size(); ++id)
     if (status[id] == Status::visible && lower_.holds(id))
       result_.set.witnesses.push_back(*lower_.witnesses()[id]);
-  const auto count = [&](Status s) {
-    return static_cast<std::uint64_t>(std::count(status.begin(), status.end(), s));
-  };
-  b.undecided = count(Status::undecided);
-  b.hidden = count(Status::hidden);
+  count();
+  result_.set.stats = lower_.stats();
   Guarantee& g = result_.set.guarantee;
   switch (options_.method) {
     case CellMethod::lower:
       g = Guarantee::aggressive;
       break;
-    case CellMethod::upper:
+    case CellMethod::cos:
       g = Guarantee::conservative;
       break;
     case CellMethod::bounds:
+    case CellMethod::cos_exact:
       g = b.undecided == 0 ? Guarantee::exact : Guarantee::bounds;
   }
+}
+
+void Query::count() {
+  const std::vector<Status>& status = result_.set.status;
+  const auto all = [&](Status s) {
+    return static_cast<std::uint64_t>(std::count(status.begin(), status.end(), s));
+  };
+  result_.bounds.undecided = all(Status::undecided);
+  result_.bounds.hidden = all(Status::hidden);
+}
+
+/// R10 instead of R9.
+void Query::take_samples() {
+  const std::vector<offset::Face> faces = offset::faces_of(cell_);
+  if (!std::all_of(faces.begin(), faces.end(), has_area))
+    throw Error(Error::Code::unsupported, "cell",
+                "its camera offsets have no area: two of its edges need a length, or ask along a segment");
+  const Stopwatch stopwatch;
+  ExactSamples samples(scene_, cell_, context_);
+  BoundStats& b = result_.bounds;
+  b.samples_used = samples.look(options_.pixels, meter_);
+  VisibleSet& set = result_.set;
+  for (PrimitiveId id = 0; id < set.status.size(); ++id) {
+    set.status[id] = samples.shows(id) ? Status::visible : Status::hidden;
+    if (!samples.shows(id)) continue;
+    if (samples.proof(id))
+      set.witnesses.push_back(*samples.proof(id));
+    else
+      result_.boundary.push_back(id);
+  }
+  set.answers = "R10";
+  set.stats = samples.stats();
+  count();
+  b.samples = set.witnesses.size();
+  b.boundary = result_.boundary.size();
+  b.seconds_samples = stopwatch.seconds();
 }
 
 CellSet Query::answer() {
   const Stopwatch stopwatch;
   result_.set.answers = "R9";
   result_.set.status.assign(scene_.primitive_count(), Status::undecided);
-  settle_contacts();
-  if (options_.method != CellMethod::upper) find_lower();
-  if (options_.method != CellMethod::lower) find_upper();
-  conclude();
+  if (options_.method == CellMethod::cos_exact) {
+    take_samples();
+  } else {
+    settle_contacts();
+    if (options_.method != CellMethod::cos) find_lower();
+    if (options_.method != CellMethod::lower) find_upper();
+    conclude();
+  }
   result_.set.stats.threads = thread_count(context_);
   stopwatch.read(result_.set.stats);
   return std::move(result_);
@@ -169,13 +219,23 @@ OffsetStats& OffsetStats::operator+=(const OffsetStats& o) {
   resolved += o.resolved;
   resolved_hidden += o.resolved_hidden;
   refined += o.refined;
+  kept_seen += o.kept_seen;
   kept_nothing_between += o.kept_nothing_between;
   kept_open_edge += o.kept_open_edge;
   kept_unusable += o.kept_unusable;
   kept_too_many += o.kept_too_many;
   facing_unknown += o.facing_unknown;
-  seconds += o.seconds;
+  signs_interval += o.signs_interval;
+  signs_exact += o.signs_exact;
+  seconds_build += o.seconds_build;
+  seconds_lists += o.seconds_lists;
+  seconds_early_z += o.seconds_early_z;
+  seconds_resolve += o.seconds_resolve;
   return *this;
+}
+
+double OffsetStats::list_average() const {
+  return lists == 0 ? 0 : static_cast<double>(list_entries) / static_cast<double>(lists);
 }
 
 ViewCell cell_around(const Vec3d& center, const Vec3d& edges) {
@@ -201,7 +261,8 @@ CellSet visible_from_cell(const Scene& scene, const ViewCell& cell, const CellOp
     throw Error(
         Error::Code::unsupported, "scene",
         "spheres are not handled by cell queries: " + std::to_string(scene.spheres().size()) + " of them");
-  if (cell.lower == cell.upper) return from_point(scene, cell, context);
+  if (cell.lower == cell.upper && options.method != CellMethod::cos_exact)
+    return from_point(scene, cell, context);
   return Query(scene, cell, options, context).answer();
 }
 

@@ -60,4 +60,13 @@ bool DyadicPoint::lies_on(const Vec3d& a, const Vec3d& b, const Vec3d& c) const 
   return dot(n, cross(u, v)) >= 0 && dot(n, cross(v, w)) >= 0 && dot(n, cross(w, u)) >= 0;
 }
 
+bool on_occluder(const Scene& scene, const Vec3<Dyadic>& p) {
+  const DyadicPoint point(p);
+  for (std::size_t t = 0; t < scene.triangles().size(); ++t)
+    if (!(scene.triangle_flags()[t] & see_through) &&
+        point.lies_on(scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2)))
+      return true;
+  return false;
+}
+
 }  // namespace provis

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "provis/scene.hpp"
 #include "provis/visible_set.hpp"
 
 namespace provis {
@@ -19,5 +20,8 @@ class DyadicPoint {
   struct Numbers;
   std::unique_ptr<Numbers> numbers_;
 };
+
+/// Whether the point lies on an occluding triangle (closed). Exact.
+bool on_occluder(const Scene& scene, const Vec3<Dyadic>& p);
 
 }  // namespace provis

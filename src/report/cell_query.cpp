@@ -1,6 +1,6 @@
 #include "src/report/cell_query.hpp"
 
-#include "provis/result_file.hpp"
+#include <fmt/format.h>
 
 namespace provis {
 
@@ -8,6 +8,7 @@ std::vector<CellCount> counts_of(BoundStats& b, OffsetStats& o) {
   return {{"touching", &b.touching},
           {"viewpoints", &b.viewpoints},
           {"samples", &b.samples},
+          {"boundary", &b.boundary},
           {"viewpoints_used", &b.viewpoints_used},
           {"samples_used", &b.samples_used},
           {"rasters", &o.rasters},
@@ -19,11 +20,31 @@ std::vector<CellCount> counts_of(BoundStats& b, OffsetStats& o) {
           {"resolved", &o.resolved},
           {"resolved_hidden", &o.resolved_hidden},
           {"refined", &o.refined},
+          {"kept_seen", &o.kept_seen},
           {"kept_nothing_between", &o.kept_nothing_between},
           {"kept_open_edge", &o.kept_open_edge},
           {"kept_unusable", &o.kept_unusable},
           {"kept_too_many", &o.kept_too_many},
-          {"facing_unknown", &o.facing_unknown}};
+          {"facing_unknown", &o.facing_unknown},
+          {"signs_interval", &o.signs_interval},
+          {"signs_exact", &o.signs_exact}};
+}
+
+std::vector<CellSeconds> seconds_of(BoundStats& b, OffsetStats& o) {
+  return {{"viewpoints", &b.seconds_viewpoints}, {"samples", &b.seconds_samples},
+          {"upper", &b.seconds_upper},           {"build", &o.seconds_build},
+          {"lists", &o.seconds_lists},           {"early_z", &o.seconds_early_z},
+          {"resolve", &o.seconds_resolve}};
+}
+
+std::string cell_table(CellCounts counts) {
+  std::string text;
+  for (const CellCount& c : counts_of(counts.bounds, counts.offset))
+    text += fmt::format("{:<22}{:>14}\n", c.name, *c.value);
+  text += fmt::format("{:<22}{:>14.2f}\n", "list_average", counts.offset.list_average());
+  for (const CellSeconds& s : seconds_of(counts.bounds, counts.offset))
+    text += fmt::format("{:<22}{:>14.3f} s\n", s.name, *s.value);
+  return text;
 }
 
 PointView center_view(const ViewCell& cell) {

@@ -1,10 +1,11 @@
 #pragma once
 // The counters of a cell query by their names in files and summaries.
 
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "provis/cell.hpp"
+#include "provis/result_file.hpp"
 
 namespace provis {
 
@@ -15,5 +16,16 @@ struct CellCount {
 
 /// All counters that are the same for any number of threads.
 std::vector<CellCount> counts_of(BoundStats& bounds, OffsetStats& offset);
+
+struct CellSeconds {
+  std::string_view name;
+  double* value;
+};
+
+/// What each stage took: wall clock down to "upper", then of all threads.
+std::vector<CellSeconds> seconds_of(BoundStats& bounds, OffsetStats& offset);
+
+/// One counter or time per line.
+std::string cell_table(CellCounts counts);
 
 }  // namespace provis

@@ -156,15 +156,16 @@ Image draw_view(const Scene& scene, const VisibleSet& set, const PointView& view
   return image;
 }
 
-Image draw_frames(const Scene& scene, const VisibleSet& set, const PointView& view, int width, int height) {
-  if (view.frames.size() == 1) return draw_view(scene, set, view, 0, width, height);
+Image draw_frames(const Scene& scene, const VisibleSet& set, const PointView& view, int width, int height,
+                  DrawFrame draw) {
+  if (view.frames.size() == 1) return draw(scene, set, view, 0, width, height);
   constexpr int columns = 3;
   const int count = static_cast<int>(view.frames.size());
   const int rows = (count + columns - 1) / columns;
   const int side = std::max(1, std::min(width / columns, height / std::max(1, rows)));
   Image image = blank_image(width, height);
   for (int frame = 0; frame < count; ++frame) {
-    const Image part = draw_view(scene, set, view, frame, side, side);
+    const Image part = draw(scene, set, view, frame, side, side);
     paste(image, part, frame % columns * side, frame / columns * side);
   }
   return image;

@@ -105,7 +105,13 @@ CellCounts counts(const JsonNode& root, std::size_t primitives) {
   CellCounts result;
   result.unwitnessed = ascending_ids(root.member("unwitnessed"), primitives);
   const JsonNode node = root.member("stages");
-  for (const CellCount& c : counts_of(result.bounds, result.offset)) *c.value = node.member(c.name).natural();
+  // A counter that did not exist when the file was written counted nothing.
+  for (const CellCount& c : counts_of(result.bounds, result.offset))
+    if (node.has(c.name)) *c.value = node.member(c.name).natural();
+  const JsonNode stats = root.member("stats");
+  if (!stats.has("stages")) return result;
+  for (const CellSeconds& s : seconds_of(result.bounds, result.offset))
+    *s.value = stats.member("stages").member(s.name).number();
   return result;
 }
 
@@ -310,7 +316,7 @@ ResultFile read_result(const std::filesystem::path& file) {
   }
   result.set = visible_set(root, result.header);
   if (result.header.cell) result.counts = counts(root, primitives);
-  if (!result.header.segments) return result;
+  if (!result.header.segments && !root.has("boundary")) return result;
   result.boundary = ascending_ids(root.member("boundary"), primitives);
   for (const PrimitiveId id : result.boundary)
     if (result.set.status[id] != Status::visible)

@@ -109,6 +109,14 @@ Json segment_json(const SegmentQuery& segments) {
 Json counts_json(CellCounts counts) {
   Json all = Json::object();
   for (const CellCount& c : counts_of(counts.bounds, counts.offset)) all[std::string(c.name)] = *c.value;
+  all["list_average"] = finite(counts.offset.list_average());
+  return all;
+}
+
+Json seconds_json(CellCounts counts) {
+  Json all = Json::object();
+  for (const CellSeconds& s : seconds_of(counts.bounds, counts.offset))
+    all[std::string(s.name)] = finite(*s.value);
   return all;
 }
 
@@ -215,7 +223,7 @@ void write_result(const ResultFile& result, std::ostream& out) {
   write_member(out, "eye_on_primitive", set.eye_on_primitive);
   write_id_array(out, "visible", visible);
   write_id_array(out, "undecided", undecided);
-  if (header.segments) write_id_array(out, "boundary", result.boundary);
+  if (header.segments || header.cell) write_id_array(out, "boundary", result.boundary);
   write_items(out, "seen", result.seen);
   if (result.counts) {
     write_id_array(out, "unwitnessed", result.counts->unwitnessed);
@@ -223,7 +231,9 @@ void write_result(const ResultFile& result, std::ostream& out) {
   }
   write_items(out, "witnesses", set.witnesses);
   write_items(out, "subdivision", set.subdivision);
-  write_member(out, "stats", json(set.stats));
+  Json stats = json(set.stats);
+  if (result.counts) stats["stages"] = seconds_json(*result.counts);
+  write_member(out, "stats", stats);
   out << "}\n";
 }
 

@@ -112,9 +112,9 @@ std::string cell_text(const CellCounts& counts) {
   const OffsetStats& o = counts.offset;
   return fmt::format(
       "proven by  {} from {} viewpoints, then {} at {} samples; {} meet the cell, {} without a witness\n"
-      "offsets    {} lists, {} entries, at most {}; {} refinements\n",
+      "offsets    {} lists, {} entries, {:.4g} on average, at most {}; {} refinements\n",
       b.viewpoints, b.viewpoints_used, b.samples, b.samples_used, b.touching, counts.unwitnessed.size(),
-      o.lists, o.list_entries, o.list_most, o.refined);
+      o.lists, o.list_entries, o.list_average(), o.list_most, o.refined);
 }
 
 }  // namespace
@@ -137,7 +137,8 @@ std::string summary(const ResultFile& result) {
   fmt::format_to(out, "query      {}\n", query_text(header));
   fmt::format_to(out, "options    {}\n", options_text(header.options));
   fmt::format_to(out, "visible    {} ({:.4g} %)\n", visible, percent(visible, total));
-  if (header.segments) fmt::format_to(out, "boundary   {} of them\n", result.boundary.size());
+  if (header.segments || !result.boundary.empty())
+    fmt::format_to(out, "boundary   {} of them\n", result.boundary.size());
   fmt::format_to(out, "hidden     {}\n", total - visible - undecided);
   fmt::format_to(out, "undecided  {}\n", undecided);
   if (result.counts) text += cell_text(*result.counts);

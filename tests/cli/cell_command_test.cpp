@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "provis/cell.hpp"
 #include "provis/result_file.hpp"
@@ -24,8 +25,17 @@ struct CellRun {
   Outcome run(const Words& more) const { return provis_run(words + more); }
 };
 
-CellSet expected(const std::string& scene) {
-  return visible_from_cell(load_scene(scene), cell_around({0, 0, 0}, {0.25, 0.25, 0.25}));
+CellSet expected(const std::string& scene, const CellOptions& options = {},
+                 const std::optional<Frame>& window = {}) {
+  ViewCell cell = cell_around({0, 0, 0}, {0.25, 0.25, 0.25});
+  cell.window = window;
+  return visible_from_cell(load_scene(scene), cell, options);
+}
+
+std::vector<std::string> violations(const std::string& file) {
+  const Json schema =
+      Json::parse(read_text(std::string(PROVIS_SOURCE_DIR) + "/src/report/visible-set.schema.json"));
+  return schema_violations(schema, Json::parse(read_text(file)));
 }
 
 }  // namespace
@@ -46,10 +56,69 @@ TEST_CASE("cell: the result file is what the library computes, reads back, and o
   REQUIRE(result.counts);
   CHECK(result.counts->offset.beams == set.offset.beams);
   CHECK(result.counts->bounds.viewpoints == set.bounds.viewpoints);
-  const Json schema =
-      Json::parse(read_text(std::string(PROVIS_SOURCE_DIR) + "/src/report/visible-set.schema.json"));
-  CHECK(schema_violations(schema, Json::parse(read_text(query.path("r.json")))) ==
-        std::vector<std::string>{});
+  CHECK(violations(query.path("r.json")) == std::vector<std::string>{});
+}
+
+TEST_CASE("cell: the camera offset space alone is conservative, and its ids are all that is not hidden") {
+  const CellRun query;
+  REQUIRE(query
+              .run({"--method", "cos", "--cos-size", "6x4", "--out", query.path("r.json"), "--ids",
+                    query.path("ids")})
+              .status == 0);
+  CHECK(violations(query.path("r.json")) == std::vector<std::string>{});
+  CellOptions options;
+  options.method = CellMethod::cos;
+  options.pixels = {6, 4};
+  const CellSet set = expected(query.scene, options);
+  const ResultFile result = read_result(query.path("r.json"));
+  CHECK(result.set.guarantee == Guarantee::conservative);
+  CHECK(result.set.status == set.set.status);
+  REQUIRE(result.counts);
+  CHECK(result.counts->offset.lists == set.offset.lists);
+  CHECK(result.counts->offset.signs_interval == set.offset.signs_interval);
+  CHECK(result.counts->offset.seconds_lists > 0);
+  std::string ids;
+  for (std::size_t id = 0; id < set.set.status.size(); ++id)
+    if (set.set.status[id] != Status::hidden) ids += std::to_string(id) + "\n";
+  CHECK(read_text(query.path("ids")) == ids);
+}
+
+TEST_CASE("cell: samples answer another rule, with witnesses that are verified") {
+  const CellRun query;
+  const Outcome outcome =
+      query.run({"--method", "cos-exact", "--cos-size", "3x3", "--witness", "--out", query.path("r.json")});
+  REQUIRE(outcome.status == 0);
+  CHECK(violations(query.path("r.json")) == std::vector<std::string>{});
+  const ResultFile result = read_result(query.path("r.json"));
+  CHECK(result.set.answers == "R10");
+  CHECK(result.set.guarantee == Guarantee::exact);
+  CHECK(result.set.witnesses.size() + result.boundary.size() == result.set.with(Status::visible).size());
+  CHECK(result.counts->bounds.samples_used == 6 * (9 + 4 * 6));
+  CHECK(query.run({"--method", "cos-exact", "--edge", "0"}).status != 0);
+}
+
+TEST_CASE("cell: a direction limits what is looked at, in every stage") {
+  const CellRun query;
+  REQUIRE(
+      query.run({"--dir", "0,0,-1", "--window", "-1,0.5,-0.25,1", "--out", query.path("r.json")}).status ==
+      0);
+  CHECK(violations(query.path("r.json")) == std::vector<std::string>{});
+  const ResultFile result = read_result(query.path("r.json"));
+  REQUIRE(result.header.cell);
+  REQUIRE(result.header.cell->window);
+  CHECK(result.header.cell->window->window == Window{-1, 0.5, -0.25, 1});
+  CHECK(result.set.status == expected(query.scene, {}, result.header.cell->window).set.status);
+  CHECK(result.counts->offset.rasters <= 5);
+  CHECK(result.counts->bounds.samples_used > 0);
+  CHECK(query.run({"--window", "-1,1,-1,1"}).status == 1);
+  CHECK(query.run({"--dir", "0,0,-1", "--fovy", "30", "--window", "-1,1,-1,1"}).status == 1);
+}
+
+TEST_CASE("cell: counters and times of the stages are printed when asked for") {
+  const Outcome outcome = CellRun().run({"--stats"});
+  CHECK(outcome.status == 0);
+  for (const char* name : {"list_entries", "list_average", "kept_open_edge", "signs_interval", "resolve"})
+    CHECK_THAT(outcome.out, Catch::Contains(name));
 }
 
 TEST_CASE("cell: the summary holds the answer and how it was found") {

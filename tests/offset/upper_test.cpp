@@ -22,7 +22,7 @@ void add_wall(SceneArrays& s, const Vec3d& lo, const Vec3d& hi, std::uint8_t fla
 
 std::vector<PrimitiveId> hidden(const SceneArrays& s, const ViewCell& from = cell, int pixels = 4) {
   CellOptions options;
-  options.method = CellMethod::upper;
+  options.method = CellMethod::cos;
   options.pixels = {pixels, pixels};
   return visible_from_cell(Scene(s), from, options).set.with(Status::hidden);
 }

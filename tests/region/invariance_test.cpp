@@ -48,7 +48,7 @@ TEST_CASE("what is seen from a cell is not hidden from a cell around it") {
     outer.upper = inner.upper + more;
     if (random.chance(50)) outer.lower = inner.lower - more;
     INFO(describe(c, inner));
-    const CellSet upper = ask(c, outer, CellMethod::upper);
+    const CellSet upper = ask(c, outer, CellMethod::cos);
     for (const PrimitiveId id : seen_from(c, inner)) REQUIRE(upper.set.status[id] != Status::hidden);
   }
 }
@@ -65,11 +65,11 @@ TEST_CASE("what is seen is not hidden after axes are permuted or mirrored") {
     const CellSet turned =
         ask(permute_axes(c, {2, 0, 1}).changed,
             {{cell.lower.z, cell.lower.x, cell.lower.y}, {cell.upper.z, cell.upper.x, cell.upper.y}, {}},
-            CellMethod::upper);
+            CellMethod::cos);
     const CellSet mirrored =
         ask(mirror(c, 1).changed,
             {{cell.lower.x, -cell.upper.y, cell.lower.z}, {cell.upper.x, -cell.lower.y, cell.upper.z}, {}},
-            CellMethod::upper);
+            CellMethod::cos);
     for (const PrimitiveId id : seen) {
       REQUIRE(turned.set.status[id] != Status::hidden);
       REQUIRE(mirrored.set.status[id] != Status::hidden);

@@ -131,6 +131,24 @@ TEST_CASE("six frames are laid out three by two") {
   CHECK(pixel(image, 25, 15) == background);
 }
 
+TEST_CASE("statuses are told apart from the eye") {
+  const std::array<Vec3d, 3> left = {Vec3d{-9, -9, -2}, {0, -9, -2}, {0, 9, -2}},
+                             right = {Vec3d{0, -9, -2}, {9, -9, -2}, {0, 9, -2}},
+                             behind = {Vec3d{0, -99, -4}, {99, -99, -4}, {0, 99, -4}};
+  const Scene scene = scene_of({left, right, behind}, {0, 0, 0});
+  const auto at = [&](const std::vector<Status>& statuses, int column) {
+    return pixel(draw_frames(scene, seen(statuses), square_view(), 2, 1, draw_statuses), column, 0);
+  };
+  const auto v = Status::visible, u = Status::undecided, h = Status::hidden;
+  // The rays of two pixels, (-1/2, 0, -1) and (1/2, 0, -1), meet the planes at a cosine of 2 / sqrt 5: 0.958
+  // of the colour.
+  CHECK(at({h, h, v}, 0) == Rgb{215, 218, 222});  // one hidden layer: 15 % of grey-blue
+  CHECK(at({v, h, h}, 0) == Rgb{242, 183, 103});  // 80 % of orange over background
+  CHECK(at({h, v, h}, 1) == Rgb{238, 180, 101});  // over one hidden layer
+  CHECK(at({h, v, u}, 1) == Rgb{108, 159, 104});  // undecided behind it: 60 % of green over that
+  CHECK(at({h, u, v}, 1) == Rgb{108, 159, 104});  // and before it
+}
+
 TEST_CASE("pictures that cannot be are refused") {
   const auto refuse = [](int width, int height, int frame, const VisibleSet& set) {
     CHECK_THROWS_AS(draw_view(five_triangles(), set, square_view(), frame, width, height), Error);

@@ -1,0 +1,30 @@
+#pragma once
+// The options that limit the directions of a query from a region.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "provis/view.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace provis {
+
+struct WindowOptions {
+  static constexpr const char* group = "Where to";  ///< in --help
+
+  std::string dir, look_at, up, fovy, window, right, forward;
+
+  void add_to(CLI::App& command);
+
+  /// Nothing, the whole sphere, where none of the options was given; otherwise the frame of a camera in the
+  /// middle of the region, with windows as wide to high as size.
+  ///
+  /// Throws:     Error::usage naming the option
+  std::optional<Frame> frame(const Vec3d& middle, const std::array<int, 2>& size) const;
+};
+
+}  // namespace provis
