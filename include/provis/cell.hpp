@@ -42,8 +42,9 @@ struct CellOptions {
   PixelGrid pixels{32, 32};  ///< of each raster of a face's hemicube; 1 to 1024 each way. cos_exact: one
                              ///< sample in the centre of each
   int refinements = 8;       ///< halvings of a pixel's rays where a triangle is left undecided, 0 to 32
-  int viewpoints = 32;  ///< lower set: exact sets from so many points besides corners and centre, 0 to 65536
-  int directions = 4;   ///< lower set: directions^2 exact samples of the offset space per face, 0 to 256
+  int viewpoints = 32;   ///< lower set: exact sets from so many points besides corners and centre, 0 to 65536
+  int directions = 4;    ///< lower set: directions^2 exact samples of the offset space per face, 0 to 256
+  int path_pixels = 16;  ///< lower set: along edges and diagonals, pixels each way of each frame, 0 to 1024
   std::uint64_t seed = 1;  ///< of the viewpoints
 };
 
@@ -82,13 +83,14 @@ struct OffsetStats {
 struct BoundStats {
   std::uint64_t touching = 0;    ///< visible because they meet the cell (R9)
   std::uint64_t viewpoints = 0;  ///< from sampled viewpoints
+  std::uint64_t paths = 0;       ///< along edges and diagonals of the cell (R10°)
   std::uint64_t samples = 0;     ///< at samples of the camera offset space (R10°)
   std::uint64_t boundary = 0;    ///< shown by samples (R10) without a proof
   std::uint64_t undecided = 0;   ///< in the upper set only
   std::uint64_t hidden = 0;
   std::uint64_t unwitnessed = 0;  ///< of `touching`: visible by rule, and no witness was found
-  std::uint64_t viewpoints_used = 0, samples_used = 0;
-  double seconds_viewpoints = 0, seconds_samples = 0, seconds_upper = 0;  ///< wall clock
+  std::uint64_t viewpoints_used = 0, paths_used = 0, samples_used = 0;
+  double seconds_viewpoints = 0, seconds_paths = 0, seconds_samples = 0, seconds_upper = 0;  ///< wall clock
 };
 
 /// The answer for one cell. Visible: the lower set. Hidden: everything outside the upper set.

@@ -27,13 +27,13 @@ namespace provis {
 namespace {
 
 constexpr std::uint64_t most_threads = 4096, most_viewpoints = 65536, most_directions = 256,
-                        most_refinements = 32;
+                        most_path_pixels = 1024, most_refinements = 32;
 
 struct CellCommand {
   SceneOptions source;
   WindowOptions looking;
   std::string center, edge, method = "bounds", size = "32x32", refinements = "8", viewpoints = "32",
-                            directions = "4", threads = "0";
+                            path_pixels = "16", directions = "4", threads = "0";
   std::string out, ids;
   bool witness = false, stats = false;
 
@@ -88,6 +88,7 @@ CellOptions CellCommand::options() const {
   o.pixels = {width, height};
   o.refinements = whole("--refinements", refinements, most_refinements);
   o.viewpoints = whole("--viewpoints", viewpoints, most_viewpoints);
+  o.path_pixels = whole("--path-pixels", path_pixels, most_path_pixels);
   o.directions = whole("--directions", directions, most_directions);
   if (!source.seed.empty()) o.seed = source.seed_number();
   return o;
@@ -108,6 +109,7 @@ ResultFile CellCommand::query(const Scene& scene, const ViewCell& where, Run& ru
   h.options["cos-size"] = size;
   h.options["refinements"] = refinements;
   h.options["viewpoints"] = viewpoints;
+  h.options["path-pixels"] = path_pixels;
   h.options["sample-directions"] = directions;
   h.options["viewpoint-seed"] = std::to_string(options().seed);
 
@@ -192,6 +194,10 @@ void CellCommand::add_to(CLI::App& command) {
          "How often the rays of a pixel are halved where a triangle stays undecided, 0 to 32 [8]");
   number("--viewpoints", viewpoints,
          "Exact sets from so many viewpoints, besides corners and middle, 0 to 65536 [32]");
+  number(
+      "--path-pixels", path_pixels,
+      "Look continuously along the cell's edges and diagonals, at N^2 pixels of each frame, for 'bounds' and "
+      "'lower', 0 to 1024 [16]");
   number("--directions", directions,
          "Exact samples of the camera offset space for 'bounds' and 'lower', N^2 for each face of the cell, "
          "0 to "

@@ -28,7 +28,7 @@ class Findings {
   void see(std::uint32_t facet, double x, double y) {
     if (!here_.insert(facet).second) return;
     ++stats().samples;
-    if (Found* found = add(facet)) found->witness = WitnessPoint{ExactNumber(x), ExactNumber(y)};
+    if (add(facet)) outcome_.witnesses.push_back({ExactNumber(x), ExactNumber(y)});
   }
 
   /// The facet is seen somewhere in the leaf.
@@ -36,7 +36,7 @@ class Findings {
   void see(std::uint32_t facet, Leaf<A, E>& leaf) {
     if (!here_.insert(facet).second) return;
     ++stats().samples;
-    if (Found* found = add(facet)) found->witness = leaf.witness(facet, leaf.look(facet));
+    if (add(facet)) outcome_.witnesses.push_back(leaf.witness(facet, leaf.look(facet)));
   }
 
   /// Decides exactly whether the leaf shows the facet.
@@ -46,18 +46,16 @@ class Findings {
     const FacetSight sight = leaf.look(facet);
     if (!sight.visible) return false;
     here_.insert(facet);
-    if (Found* found = add(facet)) found->witness = leaf.witness(facet, sight);
+    if (add(facet)) outcome_.witnesses.push_back(leaf.witness(facet, sight));
     return true;
   }
 
  private:
-  /// Where to put a witness; null where none is asked for.
-  Found* add(std::uint32_t facet) {
+  /// Whether it needs a witness.
+  bool add(std::uint32_t facet) {
     const bool witnesses = query_.options.witnesses;
-    if (!seen_.set(facet) && !witnesses) return nullptr;
-    Found& found = outcome_.found.emplace_back();
-    found.primitive = facets_.facets[facet].id;
-    return witnesses ? &found : nullptr;
+    if (seen_.set(facet) || witnesses) outcome_.found.push_back(facets_.facets[facet].id);
+    return witnesses;
   }
 
   const FrameQuery& query_;

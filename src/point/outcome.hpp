@@ -3,7 +3,6 @@
 // does not depend on which thread looked where.
 
 #include <iterator>
-#include <optional>
 #include <vector>
 
 #include "provis/visible_set.hpp"
@@ -11,19 +10,16 @@
 
 namespace provis {
 
-struct Found {
-  PrimitiveId primitive = 0;
-  std::optional<WitnessPoint> witness;
-};
-
 struct Outcome {
-  std::vector<Found> found;
+  std::vector<PrimitiveId> found;
+  std::vector<WitnessPoint> witnesses;  ///< one for each of `found`, where asked for; else none
   std::vector<SubdivisionCell> cells;
   QueryStats stats;
 
   void add(Outcome&& other) {
-    found.insert(found.end(), std::make_move_iterator(other.found.begin()),
-                 std::make_move_iterator(other.found.end()));
+    found.insert(found.end(), other.found.begin(), other.found.end());
+    witnesses.insert(witnesses.end(), std::make_move_iterator(other.witnesses.begin()),
+                     std::make_move_iterator(other.witnesses.end()));
     cells.insert(cells.end(), std::make_move_iterator(other.cells.begin()),
                  std::make_move_iterator(other.cells.end()));
     stats.signs += other.stats.signs;

@@ -78,13 +78,15 @@ VisibleSet run_frames(const Request& request, FrameEngine engine) {
     geometry.checked = checked;
     Outcome outcome =
         engine(scene, {geometry, static_cast<int>(k), frame.window, options, context, progress}, known);
-    for (const Found& f : outcome.found) {
-      if (known[f.primitive]) continue;
-      known[f.primitive] = 1;
-      set.status[f.primitive] = Status::visible;
-      if (f.witness) witnesses[f.primitive] = make_witness(f.primitive, geometry, *f.witness);
+    for (std::size_t f = 0; f < outcome.found.size(); ++f) {
+      const PrimitiveId id = outcome.found[f];
+      if (known[id]) continue;
+      known[id] = 1;
+      set.status[id] = Status::visible;
+      if (options.witnesses) witnesses[id] = make_witness(id, geometry, outcome.witnesses[f]);
     }
-    outcome.found.clear();
+    outcome.found = {};
+    outcome.witnesses = {};
     total.add(std::move(outcome));
   }
   if (options.witnesses)

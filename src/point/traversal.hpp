@@ -286,9 +286,8 @@ template <Arithmetic A, QueryEffects E>
 void Traversal<A, E>::see(Leaf<A, E>& leaf, std::uint32_t facet, const FacetSight& sight) {
   if (sight.sampled) ++outcome_.stats.samples;
   if (!seen_.set(slot(facet))) return;
-  Found& found = outcome_.found.emplace_back();
-  found.primitive = facets_.facets[facet].id;
-  if (query_.options.witnesses) found.witness = leaf.witness(facet, sight);
+  outcome_.found.push_back(facets_.facets[facet].id);
+  if (query_.options.witnesses) outcome_.witnesses.push_back(leaf.witness(facet, sight));
 }
 
 }  // namespace provis

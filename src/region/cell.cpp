@@ -30,6 +30,7 @@ void check(const CellOptions& o) {
     refuse("cos-size", "a raster needs 1 to 1024 pixels each way");
   if (!in(o.refinements, 0, most_refinements)) refuse("refinements", "0 to 32");
   if (!in(o.viewpoints, 0, most_viewpoints)) refuse("viewpoints", "0 to 65536");
+  if (!in(o.path_pixels, 0, most_pixels)) refuse("path-pixels", "0 to 1024");
   if (!in(o.directions, 0, most_directions)) refuse("directions", "0 to 256");
 }
 
@@ -42,8 +43,8 @@ class Query {
         options_(options),
         context_(context),
         lower_(scene, cell, context),
-        meter_(context, options.method == CellMethod::bounds  ? 3
-                        : options.method == CellMethod::lower ? 2
+        meter_(context, options.method == CellMethod::bounds  ? 4
+                        : options.method == CellMethod::lower ? 3
                                                               : 1) {}
 
   CellSet answer();
@@ -61,7 +62,7 @@ class Query {
   const CellOptions& options_;
   const Context& context_;
   LowerSet lower_;
-  ProgressMeter meter_;  ///< one for viewpoints, samples and the offset space each
+  ProgressMeter meter_;  ///< one for viewpoints, paths, samples and the offset space each
   std::vector<Contact> contacts_;
   CellSet result_;
 };
@@ -88,6 +89,9 @@ void Query::find_lower() {
   b.viewpoints_used = viewpoints.size();
   b.viewpoints = lower_.look_from(viewpoints, meter_);
   b.seconds_viewpoints = looking.seconds();
+  const Stopwatch along;
+  b.paths = lower_.look_along_paths(options_.path_pixels, b.paths_used, meter_);
+  b.seconds_paths = along.seconds();
   const Stopwatch sampling;
   b.samples = lower_.look_along(options_.directions, b.samples_used, meter_);
   b.seconds_samples = sampling.seconds();

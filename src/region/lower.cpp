@@ -5,6 +5,8 @@
 
 #include "predicates/formulas.hpp"
 #include "provis/error.hpp"
+#include "provis/segment.hpp"
+#include "src/region/cell_paths.hpp"
 #include "src/region/dyadic_point.hpp"
 #include "src/region/face_parts.hpp"
 #include "src/region/samples.hpp"
@@ -34,6 +36,21 @@ std::uint64_t LowerSet::look_from(const std::vector<Vec3d>& viewpoints, Progress
   for (const Vec3d& v : viewpoints) {
     fresh += keep(queries_.ask(view_from(cell_, v), true), false);
     meter.add(1 / static_cast<double>(viewpoints.size()));
+  }
+  return fresh;
+}
+
+std::uint64_t LowerSet::look_along_paths(int pixels, std::uint64_t& paths, ProgressMeter& meter) {
+  if (pixels == 0) return 0;
+  SegmentOptions options;
+  options.witnesses = true;
+  std::uint64_t fresh = 0;
+  const auto all = edges_and_diagonals(cell_);
+  for (const auto& [from, to] : all) {
+    const SegmentView view{from, to, view_from(cell_, from).frames, {pixels, pixels}};
+    fresh += keep(visible_from_segment(scene_, view, options, queries_.context()).set, true);
+    ++paths;
+    meter.add(1 / static_cast<double>(all.size()));
   }
   return fresh;
 }

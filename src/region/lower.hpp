@@ -28,6 +28,11 @@ class LowerSet {
   /// new.
   std::uint64_t look_from(const std::vector<Vec3d>& viewpoints, ProgressMeter& meter);
 
+  /// Continuously along the edges and diagonals of the cell, at the centres of `pixels` squared for each
+  /// frame: what is visible there for some time (R10°). Returns how many primitives are new; counts the
+  /// segments.
+  std::uint64_t look_along_paths(int pixels, std::uint64_t& paths, ProgressMeter& meter);
+
   /// Samples of the camera offset space (samples.hpp), `directions` squared of them for each face, through
   /// the parts on which no occluder lies: everything that is visible along the direction from an open set of
   /// their points (R10°). Returns how many primitives are new; counts the samples taken.

@@ -24,6 +24,8 @@ class PointQueries {
     return set;
   }
 
+  const Context& context() const { return context_; }
+
   /// Times and threads are left out.
   const QueryStats& stats() const { return stats_; }
 

@@ -7,9 +7,11 @@ namespace provis {
 std::vector<CellCount> counts_of(BoundStats& b, OffsetStats& o) {
   return {{"touching", &b.touching},
           {"viewpoints", &b.viewpoints},
+          {"paths", &b.paths},
           {"samples", &b.samples},
           {"boundary", &b.boundary},
           {"viewpoints_used", &b.viewpoints_used},
+          {"paths_used", &b.paths_used},
           {"samples_used", &b.samples_used},
           {"rasters", &o.rasters},
           {"beams", &o.beams},
@@ -31,10 +33,10 @@ std::vector<CellCount> counts_of(BoundStats& b, OffsetStats& o) {
 }
 
 std::vector<CellSeconds> seconds_of(BoundStats& b, OffsetStats& o) {
-  return {{"viewpoints", &b.seconds_viewpoints}, {"samples", &b.seconds_samples},
-          {"upper", &b.seconds_upper},           {"build", &o.seconds_build},
-          {"lists", &o.seconds_lists},           {"early_z", &o.seconds_early_z},
-          {"resolve", &o.seconds_resolve}};
+  return {{"viewpoints", &b.seconds_viewpoints}, {"paths", &b.seconds_paths},
+          {"samples", &b.seconds_samples},       {"upper", &b.seconds_upper},
+          {"build", &o.seconds_build},           {"lists", &o.seconds_lists},
+          {"early_z", &o.seconds_early_z},       {"resolve", &o.seconds_resolve}};
 }
 
 std::string cell_table(CellCounts counts) {

@@ -111,10 +111,11 @@ std::string cell_text(const CellCounts& counts) {
   const BoundStats& b = counts.bounds;
   const OffsetStats& o = counts.offset;
   return fmt::format(
-      "proven by  {} from {} viewpoints, then {} at {} samples; {} meet the cell, {} without a witness\n"
+      "proven by  {} from {} viewpoints, then {} along {} paths, then {} at {} samples; {} meet the cell, {} "
+      "without a witness\n"
       "offsets    {} lists, {} entries, {:.4g} on average, at most {}; {} refinements\n",
-      b.viewpoints, b.viewpoints_used, b.samples, b.samples_used, b.touching, counts.unwitnessed.size(),
-      o.lists, o.list_entries, o.list_average(), o.list_most, o.refined);
+      b.viewpoints, b.viewpoints_used, b.paths, b.paths_used, b.samples, b.samples_used, b.touching,
+      counts.unwitnessed.size(), o.lists, o.list_entries, o.list_average(), o.list_most, o.refined);
 }
 
 }  // namespace

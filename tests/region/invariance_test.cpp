@@ -18,10 +18,11 @@ CellOptions small(CellMethod method) {
   o.pixels = {4, 4};
   o.viewpoints = 4;
   o.directions = 1;
+  o.path_pixels = 2;
   return o;
 }
 
-CellSet ask(const Case& c, const ViewCell& cell, CellMethod method, int threads = 0) {
+CellSet ask(const Case& c, const ViewCell& cell, CellMethod method, int threads = 1) {
   Context context;
   context.threads = threads;
   return visible_from_cell(Scene(c.arrays), cell, small(method), context);

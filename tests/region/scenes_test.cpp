@@ -20,6 +20,7 @@ CellOptions coarse(CellMethod method) {
   o.refinements = 2;
   o.viewpoints = 4;
   o.directions = 2;
+  o.path_pixels = 2;
   return o;
 }
 

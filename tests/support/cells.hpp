@@ -19,6 +19,13 @@ namespace provis::test {
 /// tiny; in one case of ten with a window.
 ViewCell any_cell(const Case& c, Random& random);
 
+/// Queries of small scenes are over before a second thread wakes.
+inline Context one_thread() {
+  Context context;
+  context.threads = 1;
+  return context;
+}
+
 /// The text form of a case with its cell.
 std::string describe(const Case& c, const ViewCell& cell);
 
