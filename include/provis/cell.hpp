@@ -95,8 +95,8 @@ struct BoundStats {
 
 /// The answer for one cell. Visible: the lower set. Hidden: everything outside the upper set.
 struct CellSet {
-  VisibleSet
-      set;  ///< answers R9 (cos_exact: R10); a witness for each visible primitive but those listed here
+  /// Answers R9 (cos_exact: R10); a witness for each visible primitive but those listed here.
+  VisibleSet set;
   std::vector<PrimitiveId> unwitnessed;  ///< visible because they meet the cell; ascending
   std::vector<PrimitiveId> boundary;  ///< cos_exact: visible by R10, but not proven to be in R10°; ascending
   BoundStats bounds;
@@ -119,12 +119,11 @@ struct CellSet {
 ///             cos_exact: only what lies beyond a face counts, and an occluder in its plane hides nothing
 ///             (R6); what is shown from there alone is `boundary`
 /// Throws:     Error::cancelled, Error::usage (options out of range), Error::unsupported (spheres; a flat
-/// cell
-///             without a viewpoint that lies on no occluder; cos_exact of a cell without a face of some area)
+///             cell without a viewpoint that lies on no occluder; cos_exact of a cell without a face of
+///             some area)
 /// Cost:       upper set: about O(pixels l^2), l entries per list; parallel; same answer for any thread count
 /// Source:     J. Hladky, H.-P. Seidel, M. Steinberger, The camera offset space: real-time potentially
-/// visible
-///             set computations for streaming rendering, 2019
+///             visible set computations for streaming rendering, 2019
 CellSet visible_from_cell(const Scene& scene, const ViewCell& cell, const CellOptions& options = {},
                           const Context& context = {});
 

@@ -84,8 +84,7 @@ struct SegmentSet {
 ///             plane holds the segment is hidden and hides nothing; a segment of length zero answers the
 ///             point query at the pixel centres
 /// Throws:     Error::cancelled, Error::usage (witnesses asked of plain doubles, a row that is not there),
-///             Error::unsupported
-///             (spheres), Error::internal
+///             Error::unsupported (spheres), Error::internal
 /// Source:     V. Popescu, E. Sacks, Z. Zhang, J. Vazquez, Complex VEs on All-In-One VR Headsets Through
 ///             Continuous From-Segment Visibility Computation
 SegmentSet visible_from_segment(const Scene& scene, const SegmentView& view,
@@ -95,10 +94,9 @@ SegmentSet visible_from_segment(const Scene& scene, const SegmentView& view,
 /// float64: what is done where the continuous answer is not to be had, for comparison.
 ///
 /// Input:      viewpoints: one or more, in the middles of as many equal parts of the segment
-/// Returns:    status per primitive, size F; all visible ones are boundary (nothing is proven), `seen` is
-/// empty Guarantee:  none (Guarantee::sampled): misses what is seen between viewpoints only; what is farther
-/// by less
-///             than a part in 2^30 is not hidden, so that coincident triangles are all found
+/// Returns:    status per primitive, size F; all visible ones are boundary: nothing is proven; no `seen`
+/// Guarantee:  none (Guarantee::sampled): misses what is seen between viewpoints only; what is farther by
+///             less than a part in 2^30 is not hidden, so that coincident triangles are all found
 /// Requires:   check(view) passes
 /// Throws:     Error::cancelled, Error::usage (no viewpoint), Error::unsupported (spheres)
 /// Cost:       linear in the viewpoints; parallel; same answer for any thread count
