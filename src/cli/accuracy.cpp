@@ -108,19 +108,12 @@ SegmentQuery AccuracyCommand::segments() const {
        {std::pair("--eye", view.eye), {"--view", view.projection}, {"--views", view.views}})
     if (!text.empty()) throw Error(Error::Code::usage, option, "has no place along a segment");
   PathOptions all = path;
-  all.dir = view.dir;
-  all.look_at = view.look_at;
-  all.right = view.right;
-  all.up = view.up;
-  all.forward = view.forward;
-  all.window = view.window;
-  all.fovy = view.fovy;
+  static_cast<CameraOptions&>(all) = view;
   all.size = view.size;
   return all.query(source.seed_number());
 }
 
 void AccuracyCommand::state_query(ResultHeader& header) const {
-  header.options = source.recorded();
   if (along_segments()) {
     header.segments = segments();
     header.view = header.segments->first_view();
@@ -145,11 +138,7 @@ void AccuracyCommand::run(Run& run) const {
 
   const Scene scene = source.load(run);
   warn_of_left_out(scene, source.file);
-  header.scene_file = source.file;
-  header.scene_hash = scene.hash();
-  header.triangles = scene.triangles().size();
-  header.spheres = scene.spheres().size();
-  header.left_out.assign(scene.left_out().begin(), scene.left_out().end());
+  source.state(scene, header);
   const AccuracyReport report = run_accuracy(what, header, scene, run);
 
   run.stage("writing the report");

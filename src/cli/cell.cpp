@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 #include <optional>
 
 #include "provis/error.hpp"
@@ -44,15 +43,8 @@ struct CellCommand {
   ViewCell cell() const;
   CellOptions options() const;
   ResultFile query(const Scene& scene, const ViewCell& cell, Run& run) const;
-  void say(const std::string& text) const;
+  void say(const std::string& text) const { provis::say(text, out == "-" || ids == "-"); }
 };
-
-void CellCommand::say(const std::string& text) const {
-  if (out == "-" || ids == "-")
-    std::cerr << text;
-  else
-    print(text);
-}
 
 /// All that is not proven to be hidden.
 VisibleSet upper_set(VisibleSet set) {
@@ -97,14 +89,9 @@ CellOptions CellCommand::options() const {
 ResultFile CellCommand::query(const Scene& scene, const ViewCell& where, Run& run) const {
   ResultFile result;
   ResultHeader& h = result.header;
-  h.scene_file = source.file;
-  h.scene_hash = scene.hash();
-  h.triangles = scene.triangles().size();
-  h.spheres = scene.spheres().size();
+  source.state(scene, h);
   h.cell = where;
   h.view = center_view(where);
-  h.left_out.assign(scene.left_out().begin(), scene.left_out().end());
-  h.options = source.recorded();
   h.options["method"] = method;
   h.options["cos-size"] = size;
   h.options["refinements"] = refinements;

@@ -30,4 +30,11 @@ void print(const std::string& text) {
   out.commit();
 }
 
+void say(const std::string& text, bool result_on_stdout) {
+  if (result_on_stdout)
+    std::cerr << text;
+  else
+    print(text);
+}
+
 }  // namespace provis

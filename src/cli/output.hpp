@@ -29,4 +29,7 @@ class Output {
 /// Text to standard output, flushed and checked.
 void print(const std::string& text);
 
+/// Talk gives way to a result that is on its way to standard output: then it goes to standard error.
+void say(const std::string& text, bool result_on_stdout);
+
 }  // namespace provis

@@ -5,7 +5,6 @@
 
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
-#include "src/cli/view_request.hpp"
 
 namespace provis {
 
@@ -81,10 +80,9 @@ std::vector<Frame> turned_cube(std::uint64_t seed, std::uint64_t run) {
 }
 
 bool PathOptions::pinhole() const {
-  const bool camera = !dir.empty() || !look_at.empty() || !right.empty() || !up.empty() || !forward.empty() ||
-                      !window.empty() || !fovy.empty();
-  if (faces == "6" && camera) refuse("--faces", "6 faces look everywhere: a camera's options have no place");
-  return camera || faces == "1";
+  if (faces == "6" && camera())
+    refuse("--faces", "6 faces look everywhere: a camera's options have no place");
+  return camera() || faces == "1";
 }
 
 std::vector<SegmentQuery::Path> PathOptions::paths() const {
@@ -109,18 +107,8 @@ std::vector<Frame> PathOptions::frames(const Vec3d& eye, std::uint64_t seed) con
     return all;
   }
   if (!runs.empty()) refuse("--runs", "turns cubes of 6 faces: a camera's options have no place");
-  const auto vec3 = [](const char* option, const std::string& text) {
-    return text.empty() ? std::nullopt : std::optional(parse_vec3(option, text));
-  };
-  ViewRequest request;
+  ViewRequest request = CameraOptions::request();
   request.eye = eye;
-  request.dir = vec3("--dir", dir);
-  request.look_at = vec3("--look-at", look_at);
-  request.right = vec3("--right", right);
-  request.up = vec3("--up", up);
-  request.forward = vec3("--forward", forward);
-  if (!window.empty()) request.window = parse_window("--window", window);
-  if (!fovy.empty()) request.fovy_degrees = parse_number("--fovy", fovy);
   if (!size.empty()) request.size = parse_size("--size", size);
   return build_view(request, "--").frames;
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "provis/result_file.hpp"
+#include "src/cli/camera_options.hpp"
 
 namespace CLI {
 class App;
@@ -11,11 +12,11 @@ class App;
 
 namespace provis {
 
-struct PathOptions {
+struct PathOptions : CameraOptions {
   static constexpr const char* group = "Where from, where to";  ///< in --help
 
   std::string from, to, rect;
-  std::string faces, dir, look_at, right, up, forward, window, fovy, size, runs;
+  std::string faces, size, runs;
 
   /// All of them.
   void add_to(CLI::App& command);

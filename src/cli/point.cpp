@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <optional>
 
 #include "provis/check_doubles.hpp"
@@ -45,17 +44,8 @@ struct PointCommand {
   void record(const PointOptions& options, std::map<std::string, std::string>& header) const;
   ResultFile query(const Scene& scene, const PointView& where, Run& run) const;
   bool result_on_stdout() const { return out == "-" || ids == "-"; }
-  // Talk gives way to a result that is on its way to standard output.
-  void say(const std::string& text) const;
+  void say(const std::string& text) const { provis::say(text, result_on_stdout()); }
 };
-
-void PointCommand::say(const std::string& text) const {
-  if (result_on_stdout()) {
-    std::cerr << text;
-  } else {
-    print(text);
-  }
-}
 
 PointOptions PointCommand::point_options(const PointView& where) const {
   PointOptions options;
@@ -93,13 +83,8 @@ ResultFile PointCommand::query(const Scene& scene, const PointView& where, Run& 
 
   ResultFile result;
   ResultHeader& header = result.header;
-  header.scene_file = source.file;
-  header.scene_hash = scene.hash();
-  header.triangles = scene.triangles().size();
-  header.spheres = scene.spheres().size();
+  source.state(scene, header);
   header.view = where;
-  header.left_out.assign(scene.left_out().begin(), scene.left_out().end());
-  header.options = source.recorded();
   record(options, header.options);
 
   ProgressLine line;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "provis/error.hpp"
+#include "provis/result_file.hpp"
 #include "src/cli/arguments.hpp"
 #include "src/cli/run.hpp"
 #include "src/report/names.hpp"
@@ -117,6 +118,15 @@ std::map<std::string, std::string> SceneOptions::recorded() const {
   if (load.radius) options["radius"] = fmt::format("{}", *load.radius);
   if (load.skip_invalid) options["skip_invalid"] = "true";
   return options;
+}
+
+void SceneOptions::state(const Scene& loaded, ResultHeader& header) const {
+  header.scene_file = file;
+  header.scene_hash = loaded.hash();
+  header.triangles = loaded.triangles().size();
+  header.spheres = loaded.spheres().size();
+  header.left_out.assign(loaded.left_out().begin(), loaded.left_out().end());
+  header.options.merge(recorded());
 }
 
 SceneOptions SceneOptions::from_recorded(const std::string& scene_file, const std::string& result_file,

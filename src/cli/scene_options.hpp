@@ -13,6 +13,7 @@ class App;
 
 namespace provis {
 
+struct ResultHeader;
 struct Run;
 
 /// The scene as the command line states it; an empty text is an option that was not given.
@@ -42,6 +43,9 @@ struct SceneOptions {
   /// scene is as the file has it. scene, time, animation, radius and skip_invalid are there only if they were
   /// given.
   std::map<std::string, std::string> recorded() const;
+
+  /// Says in the header which scene was loaded, and how. Keeps options that are there.
+  void state(const Scene& scene, ResultHeader& header) const;
 
   /// The options that a result recorded. Throws Error::invalid_input naming result_file.
   static SceneOptions from_recorded(const std::string& scene_file, const std::string& result_file,

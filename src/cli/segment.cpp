@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 #include <optional>
 #include <tuple>
 
@@ -47,37 +46,27 @@ struct SegmentCommand {
   ResultFile query(const Scene& scene, const SegmentQuery& query, std::ostream* lists, Run& run) const;
   void require_one_standard_output() const;
   std::vector<std::string> asked_of_exact() const;
-  // Talk gives way to a result that is on its way to standard output.
-  void say(const std::string& text) const;
+  void say(const std::string& text) const { provis::say(text, to_standard_output() > 0); }
+  std::ptrdiff_t to_standard_output() const;
   std::vector<std::string> outputs() const { return {out, ids, intervals, rank}; }
 };
 
-void SegmentCommand::say(const std::string& text) const {
+std::ptrdiff_t SegmentCommand::to_standard_output() const {
   const std::vector<std::string> all = outputs();
-  if (std::find(all.begin(), all.end(), "-") != all.end()) {
-    std::cerr << text;
-  } else {
-    print(text);
-  }
+  return std::count(all.begin(), all.end(), "-");
 }
 
 void SegmentCommand::require_one_standard_output() const {
-  const std::vector<std::string> all = outputs();
-  if (std::count(all.begin(), all.end(), "-") > 1)
+  if (to_standard_output() > 1)
     throw Error(Error::Code::usage, "-",
                 "standard output can take only one of --out, --ids, --intervals and --rank");
 }
 
 ResultHeader SegmentCommand::header(const Scene& scene, const SegmentQuery& query) const {
   ResultHeader h;
-  h.scene_file = source.file;
-  h.scene_hash = scene.hash();
-  h.triangles = scene.triangles().size();
-  h.spheres = scene.spheres().size();
+  source.state(scene, h);
   h.segments = query;
   h.view = query.first_view();
-  h.left_out.assign(scene.left_out().begin(), scene.left_out().end());
-  h.options = source.recorded();
   method.record(h.options);
   return h;
 }

@@ -4,18 +4,12 @@
 
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
-#include "src/cli/view_request.hpp"
 #include "src/cli/views_file.hpp"
 #include "src/report/names.hpp"
 
 namespace provis {
 
 namespace {
-
-std::optional<Vec3d> optional_vec3(const std::string& option, const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  return parse_vec3(option, text);
-}
 
 // FILE:NAME, cut at the last colon; NAME holds none.
 ViewRequest named_request(const std::string& text, const std::string& scene_file) {
@@ -72,16 +66,9 @@ PointView ViewOptions::view(const std::string& scene_file) const {
     if (!size.empty()) request.size = parse_size("--size", size);
     return build_view(request, "--views " + views + ": ");
   }
-  ViewRequest request;
+  ViewRequest request = CameraOptions::request();
   if (!projection.empty()) request.projection = projection_named(projection).value();
   request.eye = optional_vec3("--eye", eye);
-  request.dir = optional_vec3("--dir", dir);
-  request.look_at = optional_vec3("--look-at", look_at);
-  request.right = optional_vec3("--right", right);
-  request.up = optional_vec3("--up", up);
-  request.forward = optional_vec3("--forward", forward);
-  if (!window.empty()) request.window = parse_window("--window", window);
-  if (!fovy.empty()) request.fovy_degrees = parse_number("--fovy", fovy);
   if (!size.empty()) request.size = parse_size("--size", size);
   return build_view(request, "--");
 }

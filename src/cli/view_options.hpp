@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "provis/view.hpp"
+#include "src/cli/camera_options.hpp"
 
 namespace CLI {
 class App;
@@ -11,10 +11,10 @@ class App;
 
 namespace provis {
 
-struct ViewOptions {
+struct ViewOptions : CameraOptions {
   static constexpr const char* group = "Where from, where to";  ///< in --help
 
-  std::string eye, dir, look_at, right, up, forward, window, projection, views, fovy, size;
+  std::string eye, projection, views, size;
 
   void add_to(CLI::App& command);
 

@@ -1,29 +1,13 @@
 #include "src/cli/window_options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-
-#include "src/cli/arguments.hpp"
-#include "src/cli/view_request.hpp"
 
 namespace provis {
 
 std::optional<Frame> WindowOptions::frame(const Vec3d& middle, const std::array<int, 2>& size) const {
-  const auto given = {&dir, &look_at, &up, &fovy, &window, &right, &forward};
-  if (std::all_of(given.begin(), given.end(), [](const std::string* s) { return s->empty(); }))
-    return std::nullopt;
-  const auto vec3 = [](const char* option, const std::string& text) {
-    return text.empty() ? std::nullopt : std::optional(parse_vec3(option, text));
-  };
-  ViewRequest request;
+  if (!camera()) return std::nullopt;
+  ViewRequest request = CameraOptions::request();
   request.eye = middle;
-  request.dir = vec3("--dir", dir);
-  request.look_at = vec3("--look-at", look_at);
-  request.right = vec3("--right", right);
-  request.up = vec3("--up", up);
-  request.forward = vec3("--forward", forward);
-  if (!window.empty()) request.window = parse_window("--window", window);
-  if (!fovy.empty()) request.fovy_degrees = parse_number("--fovy", fovy);
   if (!request.right && !request.forward && !request.window) request.size = size;
   return build_view(request, "--").frames.front();
 }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "provis/view.hpp"
+#include "src/cli/camera_options.hpp"
 
 namespace CLI {
 class App;
@@ -13,10 +13,8 @@ class App;
 
 namespace provis {
 
-struct WindowOptions {
+struct WindowOptions : CameraOptions {
   static constexpr const char* group = "Where to";  ///< in --help
-
-  std::string dir, look_at, up, fovy, window, right, forward;
 
   void add_to(CLI::App& command);
 

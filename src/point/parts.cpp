@@ -60,10 +60,9 @@ double typical_distance(const Scene& scene, const Vec3d& eye) {
 /// Where a triangle may have hits.
 struct Footprint {
   CellRange cells;
-  float depth = 0;        ///< nothing of it is nearer
-  bool placed = false;    ///< false: anywhere, at any depth
-  float extent = 0;       ///< in cells, the smaller of both
-  bool may_cover = true;  ///< false: too small to hold a cell
+  float depth = 0;      ///< nothing of it is nearer
+  bool placed = false;  ///< false: anywhere, at any depth
+  float extent = 0;     ///< in cells, the smaller of both
 };
 
 }  // namespace
@@ -157,7 +156,7 @@ void Partition::project() {
 
 /// Whether the triangle may have a hit in the window; where.
 bool Partition::candidate(std::size_t t, Footprint& f) const {
-  f = {{0, cells_.side - 1, 0, cells_.side - 1}, 0, false, static_cast<float>(cells_.side), true};
+  f = {{0, cells_.side - 1, 0, cells_.side - 1}, 0, false, static_cast<float>(cells_.side)};
   if (!screen_.usable()) return true;
   const ScreenPoint &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
   if (a.code & b.code & c.code & beyond_any) return false;
@@ -173,7 +172,6 @@ bool Partition::candidate(std::size_t t, Footprint& f) const {
   f.cells = {cell(x0), cell(x1), cell(y0), cell(y1)};
   f.depth = std::max({a.depth, b.depth, c.depth});
   f.placed = true;
-  f.may_cover = holds_a_cell(a, b, c);
   f.extent = std::min(std::min(x1, side) - std::max(x0, 0.0f), std::min(y1, side) - std::max(y0, 0.0f));
   return true;
 }
@@ -216,7 +214,8 @@ bool Partition::make_cover(std::size_t t, Cover& cover) const {
 
 /// For an eye at infinity nothing that reaches behind the window counts: its hits there are none.
 bool Partition::may_cover(std::size_t t, const Footprint& f) const {
-  if (!f.may_cover || !screen_.usable() || (scene_.triangle_flags()[t] & see_through)) return false;
+  if (!screen_.usable() || (scene_.triangle_flags()[t] & see_through)) return false;
+  if (f.placed && !holds_a_cell(corner(t, 0), corner(t, 1), corner(t, 2))) return false;
   return !geometry_.at_infinity || (f.placed && f.depth < 0);
 }
 

@@ -1,7 +1,5 @@
 #include "tests/point/hard_case.hpp"
 
-#include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 #include "tests/support/hard_json.hpp"
@@ -21,12 +19,7 @@ PointView view(const Json& query) {
   if (projection != "pinhole" && projection != "parallel") {
     throw std::runtime_error("'" + projection + "' is no projection");
   }
-  const Json& w = items(query.at("window"), 4);
-  const Frame frame{vec3(query.at("right")),
-                    vec3(query.at("up")),
-                    vec3(query.at("forward")),
-                    {number(w[0]), number(w[1]), number(w[2]), number(w[3])}};
-  return {eye, projection == "pinhole" ? Projection::pinhole : Projection::parallel, {frame}};
+  return {eye, projection == "pinhole" ? Projection::pinhole : Projection::parallel, {frame(query)}};
 }
 
 HardCase hard_case(const std::string& name, const Json& file) {
@@ -47,19 +40,7 @@ HardCase hard_case(const std::string& name, const Json& file) {
 }  // namespace
 
 std::vector<HardCase> load_hard_cases(const std::filesystem::path& folder) {
-  std::vector<HardCase> cases;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".json") continue;
-    try {
-      std::ifstream in(entry.path());
-      cases.push_back(hard_case(entry.path().stem().string(), Json::parse(in)));
-    } catch (const std::exception& e) {
-      throw std::runtime_error(entry.path().string() + ": " + e.what());
-    }
-  }
-  std::sort(cases.begin(), cases.end(),
-            [](const HardCase& a, const HardCase& b) { return a.input.name < b.input.name; });
-  return cases;
+  return hard_json::load(folder, hard_case);
 }
 
 std::string hard_table(const std::vector<HardCase>& cases) {

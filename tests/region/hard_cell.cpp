@@ -1,8 +1,5 @@
 #include "tests/region/hard_cell.hpp"
 
-#include <algorithm>
-#include <fstream>
-
 #include "tests/support/hard_json.hpp"
 
 namespace provis::test {
@@ -11,20 +8,11 @@ namespace {
 
 using namespace hard_json;
 
-Frame frame(const Json& f) {
-  check_members(f, {"right", "up", "forward", "window"});
-  const Json& w = items(f.at("window"), 4);
-  return {vec3(f.at("right")),
-          vec3(f.at("up")),
-          vec3(f.at("forward")),
-          {number(w[0]), number(w[1]), number(w[2]), number(w[3])}};
-}
-
 ViewCell view_cell(const Json& query) {
   check_members(query, {"kind", "lower", "upper", "directions"});
   if (query.at("kind") != "cell") throw std::runtime_error("the query's kind is not 'cell'");
   ViewCell cell{vec3(query.at("lower")), vec3(query.at("upper")), {}};
-  if (query.contains("directions")) cell.window = frame(query.at("directions"));
+  if (query.contains("directions")) cell.window = checked_frame(query.at("directions"));
   return cell;
 }
 
@@ -54,18 +42,7 @@ HardCell hard_cell(const std::string& name, const Json& file) {
 }  // namespace
 
 std::vector<HardCell> load_hard_cells(const std::filesystem::path& folder) {
-  std::vector<HardCell> cases;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".json") continue;
-    try {
-      std::ifstream in(entry.path());
-      cases.push_back(hard_cell(entry.path().stem().string(), Json::parse(in)));
-    } catch (const std::exception& e) {
-      throw std::runtime_error(entry.path().string() + ": " + e.what());
-    }
-  }
-  std::sort(cases.begin(), cases.end(), [](const HardCell& a, const HardCell& b) { return a.name < b.name; });
-  return cases;
+  return hard_json::load(folder, hard_cell);
 }
 
 std::string hard_table(const std::vector<HardCell>& cases) {

@@ -5,12 +5,11 @@
 
 #include "provis/draw.hpp"
 #include "provis/error.hpp"
+#include "tests/report/image_pixels.hpp"
 
 using namespace provis;
 
 namespace {
-
-using Rgb = std::array<int, 3>;
 
 // The scene spans 24 units from left to right and the picture 264 pixels with 10 % to spare: 10 pixels a
 // unit, the middle (12 right, 3 behind) in the picture's middle.
@@ -19,8 +18,7 @@ constexpr int width = 264, height = 160;
 Rgb at(const Image& image, double right, double behind) {
   const int column = static_cast<int>(132 + 10 * (right - 12)),
             row = static_cast<int>(80 + 10 * (behind - 3));
-  const std::size_t place = static_cast<std::size_t>(row * width + column) * 3;
-  return {image.rgb[place], image.rgb[place + 1], image.rgb[place + 2]};
+  return pixel(image, column, row);
 }
 
 // Of height 0 unless said otherwise: 0 visible, 1 hidden, 2 undecided, 3 a hidden roof over 0, 4 a visible

@@ -6,17 +6,11 @@
 
 #include "provis/draw.hpp"
 #include "provis/error.hpp"
+#include "tests/report/image_pixels.hpp"
 
 using namespace provis;
 
 namespace {
-
-using Rgb = std::array<int, 3>;
-
-Rgb pixel(const Image& image, int column, int row) {
-  const std::size_t at = static_cast<std::size_t>(row * image.width + column) * 3;
-  return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
-}
 
 const Rgb background = {232, 232, 232}, of_0 = {106, 184, 235}, of_1 = {204, 167, 31},
           of_both = {155, 175, 133};

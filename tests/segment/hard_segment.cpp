@@ -1,8 +1,5 @@
 #include "tests/segment/hard_segment.hpp"
 
-#include <algorithm>
-#include <fstream>
-
 #include "tests/support/hard_json.hpp"
 
 namespace provis::test {
@@ -11,22 +8,13 @@ namespace {
 
 using namespace hard_json;
 
-Frame frame(const Json& f) {
-  check_members(f, {"right", "up", "forward", "window"});
-  const Json& w = items(f.at("window"), 4);
-  return {vec3(f.at("right")),
-          vec3(f.at("up")),
-          vec3(f.at("forward")),
-          {number(w[0]), number(w[1]), number(w[2]), number(w[3])}};
-}
-
 /// Fills in what the query says.
 void read_query(const Json& query, SegmentCase& c) {
   check_members(query, {"kind", "from", "to", "size", "frames"});
   if (query.at("kind") != "segment") throw std::runtime_error("the query's kind is not 'segment'");
   c.start.view.eye = vec3(query.at("from"));
   c.to = vec3(query.at("to"));
-  for (const Json& f : query.at("frames")) c.start.view.frames.push_back(frame(f));
+  for (const Json& f : query.at("frames")) c.start.view.frames.push_back(checked_frame(f));
   const Json& size = items(query.at("size"), 2);
   c.pixels = {size[0].get<int>(), size[1].get<int>()};
 }
@@ -65,20 +53,7 @@ HardSegment hard_segment(const std::string& name, const Json& file) {
 }  // namespace
 
 std::vector<HardSegment> load_hard_segments(const std::filesystem::path& folder) {
-  std::vector<HardSegment> cases;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".json") continue;
-    try {
-      std::ifstream in(entry.path());
-      cases.push_back(hard_segment(entry.path().stem().string(), Json::parse(in)));
-    } catch (const std::exception& e) {
-      throw std::runtime_error(entry.path().string() + ": " + e.what());
-    }
-  }
-  std::sort(cases.begin(), cases.end(), [](const HardSegment& a, const HardSegment& b) {
-    return a.input.start.name < b.input.start.name;
-  });
-  return cases;
+  return hard_json::load(folder, hard_segment);
 }
 
 std::string hard_table(const std::vector<HardSegment>& cases) {

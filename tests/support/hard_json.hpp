@@ -2,6 +2,8 @@
 // What the catalogues of hard cases have in common: members that are checked, scenes, and lists of ids.
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "provis/scene.hpp"
+#include "provis/view.hpp"
 
 namespace provis::test::hard_json {
 
@@ -79,6 +82,41 @@ inline SceneArrays scene(const Json& file) {
   set("single_sided", single_sided);
   set("see_through", see_through);
   return arrays;
+}
+
+/// Members right, up, forward and window.
+inline Frame frame(const Json& f) {
+  const Json& w = items(f.at("window"), 4);
+  return {vec3(f.at("right")),
+          vec3(f.at("up")),
+          vec3(f.at("forward")),
+          {number(w[0]), number(w[1]), number(w[2]), number(w[3])}};
+}
+
+/// The same, and no other members.
+inline Frame checked_frame(const Json& f) {
+  check_members(f, {"right", "up", "forward", "window"});
+  return frame(f);
+}
+
+/// One case of each JSON file of the folder, by name: make(name, file). What is wrong names the file.
+template <class Make>
+auto load(const std::filesystem::path& folder, const Make& make) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end(),
+            [](const auto& a, const auto& b) { return a.stem().string() < b.stem().string(); });
+  std::vector<decltype(make(std::string(), Json()))> cases;
+  for (const std::filesystem::path& file : files) {
+    try {
+      std::ifstream in(file);
+      cases.push_back(make(file.stem().string(), Json::parse(in)));
+    } catch (const std::exception& e) {
+      throw std::runtime_error(file.string() + ": " + e.what());
+    }
+  }
+  return cases;
 }
 
 /// "0-3, 7"; "none" for an empty set.
