@@ -127,4 +127,17 @@ struct CellSet {
 CellSet visible_from_cell(const Scene& scene, const ViewCell& cell, const CellOptions& options = {},
                           const Context& context = {});
 
+/// Which primitives are seen at a pixel's centre from a regular grid of viewpoints in the cell, its corners
+/// among them, by a z-buffer in float64: what is done where bounds are not to be had, for comparison.
+///
+/// Input:      per_axis: per_axis^3 viewpoints, 1 to 100 along each axis; pixels: of each frame
+/// Returns:    visible or hidden per primitive, size F; no witnesses
+/// Guarantee:  none (Guarantee::sampled): misses what is seen between pixels and viewpoints only, and tells
+///             nothing apart that differs by less than rounding; no rule of R9 for what meets the cell
+/// Requires:   check(cell) passes
+/// Throws:     Error::cancelled, Error::usage (grid or pixels out of range), Error::unsupported (spheres)
+/// Cost:       linear in the viewpoints; parallel; same answer for any thread count
+CellSet sampled_from_cell(const Scene& scene, const ViewCell& cell, int per_axis, const PixelGrid& pixels,
+                          const Context& context = {});
+
 }  // namespace provis

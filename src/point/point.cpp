@@ -8,6 +8,7 @@
 #include "src/point/engine_sampling.hpp"
 #include "src/scene/on_occluder.hpp"
 #include "src/scene/parallel.hpp"
+#include "src/scene/require_triangles.hpp"
 #include "src/scene/stopwatch.hpp"
 
 namespace provis {
@@ -102,10 +103,7 @@ VisibleSet answer(const Request& request) {
   check(options);
   check_environment();
   const EffectsPlan plan = plan_effects(scene, view.projection);
-  if (plan.needs_effect(Effect::spheres))
-    throw Error(Error::Code::unsupported, "scene",
-                "spheres are not handled by from-point queries: " + std::to_string(scene.spheres().size()) +
-                    " of them");
+  require_triangles(scene, "from-point queries");
   const FrameEngine engine =
       choose_engine(options, {plan.needs_effect(Effect::see_through), plan.needs_effect(Effect::front_clip)});
   const Stopwatch stopwatch;

@@ -13,6 +13,7 @@
 #include "src/region/lower.hpp"
 #include "src/region/viewpoints.hpp"
 #include "src/scene/parallel.hpp"
+#include "src/scene/require_triangles.hpp"
 #include "src/scene/stopwatch.hpp"
 
 namespace provis {
@@ -261,10 +262,7 @@ CellSet visible_from_cell(const Scene& scene, const ViewCell& cell, const CellOp
   check(cell);
   check(options);
   check_environment();
-  if (!scene.spheres().empty())
-    throw Error(
-        Error::Code::unsupported, "scene",
-        "spheres are not handled by cell queries: " + std::to_string(scene.spheres().size()) + " of them");
+  require_triangles(scene, "cell queries");
   if (cell.lower == cell.upper && options.method != CellMethod::cos_exact)
     return from_point(scene, cell, context);
   return Query(scene, cell, options, context).answer();

@@ -107,9 +107,11 @@ std::string query_text(const ResultHeader& header) {
 
 namespace {
 
-std::string cell_text(const CellCounts& counts) {
+std::string cell_text(const CellCounts& counts, Guarantee guarantee) {
   const BoundStats& b = counts.bounds;
   const OffsetStats& o = counts.offset;
+  if (guarantee == Guarantee::sampled)
+    return fmt::format("sampled    {} viewpoints; nothing is proven\n", b.viewpoints_used);
   return fmt::format(
       "proven by  {} from {} viewpoints, then {} along {} paths, then {} at {} samples; {} meet the cell, {} "
       "without a witness\n"
@@ -142,7 +144,7 @@ std::string summary(const ResultFile& result) {
     fmt::format_to(out, "boundary   {} of them\n", result.boundary.size());
   fmt::format_to(out, "hidden     {}\n", total - visible - undecided);
   fmt::format_to(out, "undecided  {}\n", undecided);
-  if (result.counts) text += cell_text(*result.counts);
+  if (result.counts) text += cell_text(*result.counts, set.guarantee);
   fmt::format_to(out, "guarantee  {}, answers {}{}\n", name(set.guarantee), set.answers,
                  set.eye_on_primitive ? ", eye-on-primitive" : "");
   fmt::format_to(out, "time       {:.3f} s on {} thread{} ({:.3f} s of CPU)\n", stats.seconds, stats.threads,

@@ -34,9 +34,6 @@ struct FrameTask {
 
 using FrameEngine = void (*)(const FrameTask&);
 
-/// Throws Error::unsupported if there are spheres.
-void require_triangles(const Scene& scene);
-
 template <Arithmetic A>
 void resolve_frame_plain(const FrameTask& task);
 template <Arithmetic A>

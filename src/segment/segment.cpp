@@ -12,6 +12,7 @@
 #include "src/scene/on_occluder.hpp"
 #include "src/scene/parallel.hpp"
 #include "src/scene/progress_meter.hpp"
+#include "src/scene/require_triangles.hpp"
 #include "src/scene/stopwatch.hpp"
 #include "src/segment/frame_task.hpp"
 #include "src/segment/tally.hpp"
@@ -76,13 +77,6 @@ BlockTask FrameTask::block(const PixelRect& area) const {
   return {scene, path, blocked, frame, area, static_cast<bool>(options.on_pixel), options.witnesses, share};
 }
 
-void require_triangles(const Scene& scene) {
-  if (!scene.spheres().empty())
-    throw Error(Error::Code::unsupported, "scene",
-                "spheres are not handled by from-segment queries: " + std::to_string(scene.spheres().size()) +
-                    " of them");
-}
-
 void check(const SegmentView& view) {
   for (const auto& [place, point] : {std::pair("from", view.from), std::pair("to", view.to)})
     if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
@@ -101,7 +95,7 @@ SegmentSet answer(const Scene& scene, const SegmentView& view, const SegmentOpti
   if (options.only) check(*options.only, view);
   if (options.witnesses && options.arithmetic == Arithmetic::doubles)
     refuse("witnesses", "plain doubles prove nothing");
-  require_triangles(scene);
+  require_triangles(scene, "from-segment queries");
   check_environment();
   const Stopwatch stopwatch;
   SegmentSet set = on_threads(context, [&] { return run(scene, view, options, context, checked); });

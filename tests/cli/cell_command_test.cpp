@@ -150,4 +150,21 @@ TEST_CASE("cell: options that make no sense are refused") {
   CHECK(query.run({"--cos-size", "2048x16"}).status == 1);
   CHECK(query.run({"--method", "exact"}).status == 1);
   CHECK(query.run({"--out", "-", "--ids", "-"}).status == 1);
+  CHECK(query.run({"--grid", "3"}).err.find("--grid") != std::string::npos);
+  CHECK(query.run({"--size", "8x8"}).status == 1);
+  CHECK(query.run({"--method", "sampled", "--grid", "0"}).status == 1);
+  CHECK(query.run({"--method", "sampled", "--witness"}).status == 1);
+}
+
+TEST_CASE("cell: a grid of viewpoints, and its result says that it proves nothing") {
+  const CellRun query;
+  const Words how = {"--method", "sampled", "--grid", "3", "--size", "20x10"};
+  REQUIRE(query.run(how + Words{"--out", query.path("r.json")}).status == 0);
+  const ResultFile result = read_result(query.path("r.json"));
+  const ViewCell cell = cell_around({0, 0, 0}, {0.25, 0.25, 0.25});
+  CHECK(result.set.status == sampled_from_cell(load_scene(query.scene), cell, 3, {20, 10}).set.status);
+  CHECK(result.set.guarantee == Guarantee::sampled);
+  CHECK(result.header.options.at("grid") == "3");
+  CHECK(violations(query.path("r.json")) == std::vector<std::string>{});
+  CHECK(query.run(how).out.find("27 viewpoints; nothing is proven") != std::string::npos);
 }

@@ -8,37 +8,10 @@
 #include "provis/segment.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/soup.hpp"
 
 namespace provis::test {
 namespace {
-
-SceneArrays with(SceneArrays arrays, const Vec3d& a, const Vec3d& b, const Vec3d& c, std::uint8_t flags = 0) {
-  const auto first = static_cast<std::uint32_t>(arrays.vertices.size());
-  arrays.vertices.insert(arrays.vertices.end(), {a, b, c});
-  arrays.triangles.push_back({first, first + 1, first + 2});
-  arrays.triangle_flags.push_back(flags);
-  return arrays;
-}
-
-Vec3d point(Random& random, double size) {
-  const auto x = [&] { return size * (2 * random.unit() - 1); };
-  const double a = x(), b = x(), c = x();
-  return {a, b, c};
-}
-
-/// Triangles of all sizes around the origin, of every kind, many of them reaching behind the camera.
-SceneArrays soup(Random& random) {
-  SceneArrays arrays;
-  for (int k = 0; k < 150; ++k) {
-    const Vec3d at = point(random, 6);
-    const double size = random.pick({0.1, 0.5, 3.0});
-    const auto flags = static_cast<std::uint8_t>((random.chance(30) ? single_sided : 0) |
-                                                 (random.chance(20) ? see_through : 0));
-    arrays =
-        with(arrays, at + point(random, size), at + point(random, size), at + point(random, size), flags);
-  }
-  return arrays;
-}
 
 SegmentView view_of(Random& random) {
   SegmentView view{point(random, 1), point(random, 1), omni({0, 0, 0}).frames, {19, 23}};
