@@ -11,11 +11,13 @@
 #include "src/cli/accuracy_runs.hpp"
 #include "src/cli/accuracy_ways.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/cell_place.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/path_options.hpp"
 #include "src/cli/run.hpp"
 #include "src/cli/scene_options.hpp"
 #include "src/cli/view_options.hpp"
+#include "src/cli/window_options.hpp"
 
 namespace provis {
 
@@ -26,7 +28,9 @@ constexpr std::uint64_t most_threads = 4096, most_runs = 1000;
 struct AccuracyCommand {
   SceneOptions source;
   ViewOptions view;
-  PathOptions path;  ///< the options that it has in common with a view stand in `view`
+  // What these have in common with a view stands in `view`.
+  PathOptions path;
+  CellPlace place;
   std::string runs = "3", time_limit = "60", memory_limit, threads = "0";
   std::string json, picture;
   CLI::App* command = nullptr;
@@ -39,6 +43,8 @@ struct AccuracyCommand {
   AccuracyPlan plan() const;
   bool along_segments() const { return !path.from.empty() || !path.to.empty() || !path.rect.empty(); }
   SegmentQuery segments() const;
+  ViewCell cell() const;
+  PixelGrid sampled_pixels() const;
   void state_query(ResultHeader& header) const;
   std::vector<std::string> query() const;
 };
@@ -64,11 +70,14 @@ std::uint64_t half_of_memory() {
          static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 2;
 }
 
-/// The options of scene and view as they were given: a child asks the same.
+/// The options of scene and view as they were given: a child asks the same. Of a cell, the directions are
+/// stated verbatim, since a camera's window would follow from the pixels of each way.
 std::vector<std::string> AccuracyCommand::query() const {
   std::vector<std::string> words = {source.file};
   for (const CLI::Option* option : command->get_options()) {
-    const bool asks = option->get_group() == SceneOptions::group || option->get_group() == ViewOptions::group;
+    const std::string& group = option->get_group();
+    const bool asks = group == SceneOptions::group || group == CellPlace::group ||
+                      (group == ViewOptions::group && !place.given());
     if (!asks || option->count() == 0) continue;
     if (option->get_type_size() == 0) {
       words.push_back(option->get_name());
@@ -76,13 +85,21 @@ std::vector<std::string> AccuracyCommand::query() const {
       words.push_back(option->get_name() + "=" + option->results().back());
     }
   }
+  if (place.given())
+    if (const std::optional<Frame> window = cell().window) {
+      const auto text = [](const Vec3d& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+      const Window& w = window->window;
+      words.insert(words.end(), {"--right=" + text(window->right), "--up=" + text(window->up),
+                                 "--forward=" + text(window->forward),
+                                 fmt::format("--window={},{},{},{}", w.x0, w.x1, w.y0, w.y1)});
+    }
   return words;
 }
 
 AccuracyPlan AccuracyCommand::plan() const {
   AccuracyPlan plan;
-  plan.command = along_segments() ? "segment" : "point";
-  plan.ways = along_segments() ? segment_ways() : point_ways();
+  plan.command = place.given() ? "cell" : along_segments() ? "segment" : "point";
+  plan.ways = place.given() ? cell_ways(sampled_pixels()) : along_segments() ? segment_ways() : point_ways();
   plan.query = query();
   plan.runs = static_cast<int>(parse_whole("--runs", runs, 1, most_runs));
   plan.limits.seconds = parse_seconds("--time-limit", time_limit);
@@ -113,7 +130,35 @@ SegmentQuery AccuracyCommand::segments() const {
   return all.query(source.seed_number());
 }
 
+PixelGrid AccuracyCommand::sampled_pixels() const {
+  const auto [width, height] = view.size.empty() ? std::array{800, 800} : parse_size("--size", view.size);
+  return {width, height};
+}
+
+ViewCell AccuracyCommand::cell() const {
+  for (const auto& [option, text] : {std::pair("--eye", view.eye),
+                                     {"--view", view.projection},
+                                     {"--views", view.views},
+                                     {"--from", path.from},
+                                     {"--to", path.to},
+                                     {"--rect", path.rect},
+                                     {"--faces", path.faces}})
+    if (!text.empty()) throw Error(Error::Code::usage, option, "has no place with a cell");
+  WindowOptions looking;
+  static_cast<CameraOptions&>(looking) = view;
+  ViewCell cell = place.cell();
+  const PixelGrid pixels = sampled_pixels();
+  cell.window = looking.frame(place.middle(), {pixels.width, pixels.height});
+  return cell;
+}
+
 void AccuracyCommand::state_query(ResultHeader& header) const {
+  if (place.given()) {
+    header.cell = cell();
+    header.view = center_view(*header.cell);
+    header.options["size"] = fmt::format("{}x{}", sampled_pixels().width, sampled_pixels().height);
+    return;
+  }
   if (along_segments()) {
     header.segments = segments();
     header.view = header.segments->first_view();
@@ -154,6 +199,7 @@ void AccuracyCommand::add_to(CLI::App& app) {
   source.add_to(app);
   view.add_to(app);
   path.add_paths_to(app);
+  place.add_to(app);
   const auto add = [&](const char* option, std::string& value, const char* type, const char* group,
                        const char* help) {
     app.add_option(option, value, help)->type_name(type)->group(group);
@@ -178,10 +224,13 @@ void AccuracyCommand::add_to(CLI::App& app) {
       "...\n"
       "256x256 samples in each pixel of --size. Along segments: each arithmetic with both engines; "
       "z-buffers\n"
-      "from 10, 100 ... 100000 viewpoints. Each is a process of its own; one that fails ends nothing.\n\n"
+      "from 10, 100 ... 100000 viewpoints. From a cell: z-buffers from 2^3, 4^3, 6^3 and 10^3 viewpoints;\n"
+      "exact sets from 1, 10, 100 and 1000 besides corners and middle; the camera offset space at 25x13 ...\n"
+      "400x200; both bounds by all stages. Each is a process of its own; one that fails ends nothing.\n\n"
       "Examples:\n"
       "  provis accuracy house.glb --eye 0,1.8,0 --dir 1,0,0 --picture accuracy.svg\n"
-      "  provis accuracy house.glb --from 0,1.8,0 --to 4,1.8,0 --size 200x200 --json accuracy.json");
+      "  provis accuracy house.glb --from 0,1.8,0 --to 4,1.8,0 --size 200x200 --json accuracy.json\n"
+      "  provis accuracy house.glb --center 0,1.8,0 --edge 0.3 --picture accuracy.svg");
 }
 
 }  // namespace

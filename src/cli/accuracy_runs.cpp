@@ -64,7 +64,9 @@ class Runner {
     report_.runs = plan.runs;
     report_.time_limit = plan.limits.seconds;
     report_.memory_limit = plan.limits.bytes;
-    progress_.total = static_cast<double>(tallies_.size()) * plan.runs + (header.segments ? 1 : 2);
+    progress_.total = static_cast<double>(tallies_.size()) * plan.runs + (header.cell       ? 0
+                                                                          : header.segments ? 1
+                                                                                            : 2);
   }
 
   AccuracyReport report();
@@ -74,6 +76,7 @@ class Runner {
   bool held_back(std::size_t index);
   void check_doubles();
   void compare_with_exact();
+  void compare_with_known();
   std::vector<ImagePart> parts(const Tally& exact);
   Answer ask(const std::string& what, const std::vector<std::string>& options);
   Answer read_answer() const;
@@ -116,8 +119,12 @@ AccuracyReport Runner::report() {
     tally.outcome.wall_seconds = spread(tally.wall);
     tally.outcome.peak_bytes = spread(tally.peak);
   }
-  check_doubles();
-  compare_with_exact();
+  if (report_.header.cell) {
+    compare_with_known();
+  } else {
+    check_doubles();
+    compare_with_exact();
+  }
   for (Tally& tally : tallies_) report_.outcomes.push_back(std::move(tally.outcome));
   return std::move(report_);
 }
@@ -145,12 +152,12 @@ void Runner::measure(std::size_t index, int round) {
   report_.threads = stats.threads;
 }
 
-/// What fewer samples, or viewpoints, could not do is not tried with more of them.
+/// What fewer samples, viewpoints or pixels could not do is not tried with more of them.
 bool Runner::held_back(std::size_t index) {
   WayOutcome& outcome = tallies_[index].outcome;
-  if (outcome.way.method != Method::sampled) return false;
+  if (index == 0) return false;
   const WayOutcome& coarser = tallies_[index - 1].outcome;
-  if (coarser.way.method != Method::sampled || coarser.ending == Ending::done) return false;
+  if (!refines(outcome.way, coarser.way) || coarser.ending == Ending::done) return false;
   outcome.ending = coarser.ending == Ending::unavailable ? Ending::unavailable : Ending::not_tried;
   outcome.reason = coarser.ending == Ending::timed_out || coarser.ending == Ending::out_of_memory
                        ? fmt::format("{} {}", name(coarser.way), name(coarser.ending))
@@ -186,6 +193,24 @@ void Runner::compare_with_exact() {
   for (Tally& tally : tallies_)
     if (tally.outcome.ending == Ending::done)
       tally.outcome.score = score(tally.status, certain->status, image);
+}
+
+void Runner::compare_with_known() {
+  std::vector<const std::vector<Status>*> proofs;
+  for (const Tally& tally : tallies_)
+    if (tally.outcome.ending == Ending::done && tally.outcome.way.cell) proofs.push_back(&tally.status);
+  if (proofs.empty()) return;
+  const std::vector<Status> known = united(proofs);
+  const auto all = [&](Status s) {
+    return static_cast<std::size_t>(std::count(known.begin(), known.end(), s));
+  };
+  report_.known = KnownOfCell{all(Status::visible), known.size() - all(Status::hidden)};
+  for (Tally& tally : tallies_) {
+    WayOutcome& o = tally.outcome;
+    if (o.ending != Ending::done) continue;
+    if (!o.way.cell || o.way.proves_visible()) o.score = score(tally.status, known, {});
+    if (o.way.proves_hidden()) o.excess = excess(tally.status, known);
+  }
 }
 
 std::vector<ImagePart> Runner::parts(const Tally& exact) {

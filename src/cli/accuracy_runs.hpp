@@ -15,7 +15,7 @@ struct Run;
 
 /// What is asked, and how often.
 struct AccuracyPlan {
-  std::string command;             ///< of the program: "point", "segment"
+  std::string command;             ///< of the program: "point", "segment", "cell"
   std::vector<std::string> query;  ///< what follows it: the scene, and the options of scene and view
   std::vector<Way> ways;
   Limits limits;
@@ -24,10 +24,12 @@ struct AccuracyPlan {
 };
 
 /// Runs the ways in turn, as often as planned, then the two that only serve to judge: doubles with every sign
-/// checked and, from a point, the exact subdivision.
+/// checked and, from a point, the exact subdivision. From a cell there are none, and all proofs together are
+/// what each way is held against.
 ///
 /// Input:      header: the scene and the query, which the children load again
-/// Throws:     Error::cancelled; whatever else happens to a child is in the report
+/// Throws:     Error::cancelled; Error::internal if proofs contradict each other; whatever else happens to a
+/// child is in the report
 AccuracyReport run_accuracy(const AccuracyPlan& plan, const ResultHeader& header, const Scene& scene,
                             Run& run);
 

@@ -7,6 +7,12 @@
 namespace provis {
 
 std::string name(const Way& way) {
+  if (way.cell == CellMethod::lower)
+    return way.viewpoints > 0 ? fmt::format("viewpoints {}", way.viewpoints) : "lower";
+  if (way.cell) {
+    if (way.cell == CellMethod::bounds) return "bounds";
+    return fmt::format("cos {}x{}", way.pixels.width, way.pixels.height);
+  }
   switch (way.method) {
     case Method::sampled:
       if (way.viewpoints > 0) return fmt::format("sampled {}", way.viewpoints);
@@ -17,6 +23,12 @@ std::string name(const Way& way) {
       break;
   }
   return std::string(name(way.arithmetic)) + (way.plain ? " (plain)" : "");
+}
+
+bool refines(const Way& finer, const Way& coarser) {
+  if (finer.cell != coarser.cell || finer.method != coarser.method) return false;
+  if (finer.cell == CellMethod::lower) return coarser.viewpoints > 0 && finer.viewpoints > 0;
+  return finer.cell == CellMethod::cos || finer.method == Method::sampled;
 }
 
 std::string_view name(Ending ending) {
@@ -63,6 +75,16 @@ std::optional<Price> price_of_certainty(const AccuracyReport& report) {
   if (!(doubles->cpu_seconds.median > 0)) return std::nullopt;
   return Price{chain->cpu_seconds.median / doubles->cpu_seconds.median, doubles->score->wrong_in,
                doubles->score->wrong_out};
+}
+
+const WayOutcome* usual_sampling(const AccuracyReport& report) {
+  constexpr int usual = 6 * 6 * 6;
+  const WayOutcome* best = nullptr;
+  for (const WayOutcome& o : report.outcomes) {
+    if (o.way.method != Method::sampled || o.ending != Ending::done || !o.score) continue;
+    if (best == nullptr || best->way.viewpoints != usual) best = &o;
+  }
+  return best;
 }
 
 std::optional<SamplingFigures> sampling_figures(const AccuracyReport& report) {

@@ -18,6 +18,8 @@ Json json(const Spread& s) { return {{"median", s.median}, {"least", s.least}, {
 Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 std::string_view family(const Way& way) {
+  if (way.cell)
+    return way.cell == CellMethod::lower ? "lower" : way.cell == CellMethod::cos ? "cos" : "bounds";
   return way.method == Method::sampled      ? "sampled"
          : way.method == Method::aggressive ? "aggressive"
                                             : "exact";
@@ -39,6 +41,8 @@ Json json(const SetScore& score, bool area) {
           {"area_missed", area ? Json(score.area_missed) : Json()}};
 }
 
+Json json(const SetExcess& e) { return {{"possible", e.possible}, {"beyond", e.beyond}, {"share", e.share}}; }
+
 Json json(const WayOutcome& o, bool area) {
   Json row = {
       {"name", name(o.way)},
@@ -48,6 +52,7 @@ Json json(const WayOutcome& o, bool area) {
       {"ending", name(o.ending)},
       {"reason", text_or_null(o.reason)}};
   if (o.way.viewpoints > 0) row["viewpoints"] = o.way.viewpoints;
+  if (o.way.pixels.width > 0) row["pixels"] = {o.way.pixels.width, o.way.pixels.height};
   if (o.way.plain) row["engine"] = "plain";
   if (o.ending != Ending::done) return row;
   row["cpu_seconds"] = json(o.cpu_seconds);
@@ -55,6 +60,7 @@ Json json(const WayOutcome& o, bool area) {
   row["peak_bytes"] = json(o.peak_bytes);
   row["visible"] = o.visible;
   row["score"] = o.score ? json(*o.score, area) : Json();
+  if (o.excess) row["excess"] = json(*o.excess);
   row["signs"] = signs(o);
   row["unchecked"] = text_or_null(o.unchecked);
   return row;
@@ -83,6 +89,10 @@ Json members(const AccuracyReport& report) {
   root["limits"] = {{"seconds", report.time_limit},
                     {"bytes", report.memory_limit == 0 ? Json() : Json(report.memory_limit)}};
   root["exact_set_by"] = report.reference ? Json(name(*report.reference)) : Json();
+  if (report.header.cell)
+    root["known"] = report.known
+                        ? Json{{"visible", report.known->visible}, {"possible", report.known->possible}}
+                        : Json();
   root["area"] = area(report);
   root["ways"] = Json::array();
   for (const WayOutcome& o : report.outcomes)

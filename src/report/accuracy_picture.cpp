@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <ostream>
 
 #include "src/report/accuracy.hpp"
@@ -31,10 +32,17 @@ constexpr Family sampling = {"uniform samples per pixel", "#0072b2", Marker::cir
 constexpr Family viewpoints = {"viewpoints along the segment", "#0072b2", Marker::circle, false};
 constexpr Family plain_engine = {"plain engine", "#56b4e9", Marker::diamond, false};
 constexpr Family aggressive = {"aggressive", "#e69f00", Marker::diamond, false};
+constexpr Family grid_views = {"grid of viewpoints, float64", "#0072b2", Marker::circle, false};
+constexpr Family exact_views = {"exact sets from viewpoints", "#00835f", Marker::square, false};
+constexpr Family offset_space = {"camera offset space, by pixels", "#e69f00", Marker::diamond, false};
+constexpr Family all_stages = {"all stages", "#7b3294", Marker::square, true};
 constexpr Family certain = {"exact, by certain signs", "#00835f", Marker::square, false};
 constexpr Family doubles = {"plain doubles", "#c8361d", Marker::square, true};
 
 const Family& family(const Way& way) {
+  if (way.cell == CellMethod::cos) return offset_space;
+  if (way.cell) return way.viewpoints > 0 ? exact_views : all_stages;
+  if (way.method == Method::sampled && way.pixels.width > 0) return grid_views;
   if (way.method == Method::sampled) return way.viewpoints > 0 ? viewpoints : sampling;
   if (way.plain) return plain_engine;
   if (way.method == Method::aggressive) return aggressive;
@@ -82,33 +90,45 @@ std::size_t complete(const std::vector<Dot>& dots) {
       std::count_if(dots.begin(), dots.end(), [](const Dot& d) { return !(d.missed > 0); }));
 }
 
-/// Of a sampled way: short, since there are many.
+/// Whether it is one of many that differ in fineness, joined by a curve.
+bool in_series(const Way& way) {
+  return way.method == Method::sampled || way.cell == CellMethod::cos || way.viewpoints > 0;
+}
+
+/// Of a way in a series: short, since there are many.
 std::string fineness(const Way& way) {
+  if (way.cell == CellMethod::cos) return fmt::format("{}x{}", way.pixels.width, way.pixels.height);
   return way.viewpoints > 0 ? fmt::format("{}", way.viewpoints) : fmt::format("{}²", way.samples);
 }
 
 std::string label(const WayOutcome& o) {
-  if (o.way.method == Method::sampled) return fineness(o.way);
+  if (in_series(o.way)) return fineness(o.way);
   std::string text = name(o.way);
   if (o.score && o.score->wrong_in > 0) text += fmt::format(", {} wrongly in", o.score->wrong_in);
   return text;
 }
 
+struct Wording {
+  const char* title;
+  const char* none = "missed";  ///< "nothing ..."
+  const char* share = "share missed";
+};
+
 class Panel {
  public:
   /// floor: the lower end of the strip.
-  Panel(Svg& svg, double left, double floor, const char* title, std::vector<Dot> dots)
+  Panel(Svg& svg, double left, double floor, const Wording& wording, std::vector<Dot> dots)
       : svg_(svg),
         left_(left),
         floor_(floor),
-        title_(title),
+        wording_(wording),
         dots_(std::move(dots)),
         x_(times(), left, left + panel_width),
         y_(shares(), bottom, top) {}
 
   void draw() {
     draw_axes();
-    draw_curve();
+    draw_curves();
     for (const Dot& dot : dots_)
       if (dot.missed > 0) draw_missing(dot);
     draw_strip();
@@ -131,20 +151,21 @@ class Panel {
   SvgPoint place(const Dot& dot) const { return {x_.at(seconds(dot)), y_.at(dot.missed)}; }
 
   void draw_axes();
-  void draw_curve();
+  void draw_curves();
   void draw_missing(const Dot& dot);
   void draw_strip();
 
   Svg& svg_;
   double left_, floor_;
-  const char* title_;
+  Wording wording_;
+  SvgPoint labelled_{0, 0};  ///< the last dot with a label above it
   std::vector<Dot> dots_;
   LogAxis x_, y_;
 };
 
 void Panel::draw_axes() {
   const double strip = bottom + strip_gap, middle = (strip + floor_) / 2;
-  svg_.text({left_ + panel_width / 2, top - 12}, title_, Anchor::middle, 14, ink);
+  svg_.text({left_ + panel_width / 2, top - 12}, wording_.title, Anchor::middle, 14, ink);
   svg_.rectangle({left_, strip}, panel_width, floor_ - strip, strip_color);
   for (const int e : x_.ticks()) {
     const double x = x_.at(std::pow(10, e));
@@ -159,27 +180,30 @@ void Panel::draw_axes() {
   svg_.line({left_, top}, {left_, floor_}, grey, 1);
   svg_.line({left_, floor_}, {left_ + panel_width, floor_}, grey, 1);
   svg_.text({left_ - 8, middle - 3}, "nothing", Anchor::end, small, ink);
-  svg_.text({left_ - 8, middle + 12}, "missed", Anchor::end, small, ink);
+  svg_.text({left_ - 8, middle + 12}, wording_.none, Anchor::end, small, ink);
   svg_.text({left_ + panel_width / 2, floor_ + 38}, "CPU time", Anchor::middle, 13, ink);
-  svg_.upward_text({left_ - 66, (top + bottom) / 2}, "share missed", 13, ink);
+  svg_.upward_text({left_ - 66, (top + bottom) / 2}, wording_.share, 13, ink);
 }
 
-/// The sampled ways, joined as far as they miss anything.
-void Panel::draw_curve() {
-  std::vector<SvgPoint> points;
+/// The ways of each series, joined as far as they miss anything.
+void Panel::draw_curves() {
+  std::map<const Family*, std::vector<SvgPoint>> curves;
   for (const Dot& dot : dots_)
-    if (dot.outcome->way.method == Method::sampled && dot.missed > 0) points.push_back(place(dot));
-  svg_.path(points, sampling.color, 2);
+    if (in_series(dot.outcome->way) && dot.missed > 0)
+      curves[&family(dot.outcome->way)].push_back(place(dot));
+  for (const auto& [f, points] : curves) svg_.path(points, f->color, 2);
 }
 
 void Panel::draw_missing(const Dot& dot) {
   const Family& f = family(dot.outcome->way);
   const SvgPoint at = place(dot);
   svg_.marker(f.marker, at, f.color, f.hollow);
-  // The labels of the samples lie above their curve, all others below it.
-  const bool sampled = dot.outcome->way.method == Method::sampled;
-  const bool near_end = at.x > left_ + panel_width - (sampled ? 36 : 150);
-  svg_.text({at.x + (near_end ? -8 : 8), at.y + (sampled ? -6 : 17)}, label(*dot.outcome),
+  // The labels of a series lie above its curve where there is room, all others below it.
+  const bool crowded = std::abs(at.x - labelled_.x) < 64 && std::abs(at.y - labelled_.y) < 20;
+  const bool above = in_series(dot.outcome->way) && !crowded;
+  if (above) labelled_ = at;
+  const bool near_end = at.x > left_ + panel_width - (in_series(dot.outcome->way) ? 36 : 150);
+  svg_.text({at.x + (near_end ? -8 : 8), at.y + (above ? -6 : 17)}, label(*dot.outcome),
             near_end ? Anchor::end : Anchor::start, small, f.color);
 }
 
@@ -207,7 +231,8 @@ void draw_legend(Svg& svg, const AccuracyReport& report) {
                        [&](const WayOutcome& o) { return &family(o.way) == f; });
   };
   double x = 90;
-  for (const Family* f : {&sampling, &viewpoints, &aggressive, &plain_engine, &certain, &doubles}) {
+  for (const Family* f : {&sampling, &viewpoints, &aggressive, &plain_engine, &certain, &doubles, &grid_views,
+                          &exact_views, &offset_space, &all_stages}) {
     if (!drawn(f)) continue;
     svg.marker(f->marker, {x, 46}, f->color, f->hollow);
     svg.text({x + 12, 50}, f->title, Anchor::start, 13, ink);
@@ -224,7 +249,7 @@ void draw_absent(Svg& svg, const AccuracyReport& report, double y) {
     if (name(o.ending) != last)
       line += (line.empty() ? "Not shown: " : "; ") + std::string(name(o.ending)) + ": ";
     if (name(o.ending) == last) line += ", ";
-    line += o.way.method == Method::sampled ? fineness(o.way) : name(o.way);
+    line += in_series(o.way) && !report.header.cell ? fineness(o.way) : name(o.way);
     last = name(o.ending);
   }
   svg.text({24, y}, line, Anchor::start, small, grey);
@@ -246,17 +271,29 @@ std::string heading(const AccuracyReport& report) {
 void write_accuracy_picture(const AccuracyReport& report, std::ostream& out) {
   std::vector<Dot> set, area;
   for (const WayOutcome& o : report.outcomes) {
-    if (o.ending != Ending::done || !o.score) continue;
-    set.push_back({&o, o.score->set_missed});
-    area.push_back({&o, o.score->area_missed});
+    if (o.ending != Ending::done) continue;
+    if (o.score) set.push_back({&o, o.score->set_missed});
+    if (report.header.cell) {
+      if (o.excess) area.push_back({&o, o.excess->share});
+    } else if (o.score) {
+      area.push_back({&o, o.score->area_missed});
+    }
   }
   const std::size_t rows = std::max({complete(set), complete(area), std::size_t{4}});
   const double floor = bottom + strip_gap + strip_row * (static_cast<double>(rows) + 0.4);
   Svg svg(width, floor + 82);
   svg.text({24, 26}, heading(report), Anchor::start, 17, ink);
   draw_legend(svg, report);
-  Panel(svg, 92, floor, "Visible triangles missed", set).draw();
-  Panel(svg, 92 + panel_width + 104, floor, second_title(report.area), area).draw();
+  const double second = 92 + panel_width + 104;
+  if (report.header.cell) {
+    Panel(svg, 92, floor, {"Missed of what is proven visible"}, set).draw();
+    Panel(svg, second, floor,
+          {"Not hidden, beyond what is proven visible", "beyond", "share of the proven ones"}, area)
+        .draw();
+  } else {
+    Panel(svg, 92, floor, {"Visible triangles missed"}, set).draw();
+    Panel(svg, second, floor, {second_title(report.area)}, area).draw();
+  }
   draw_absent(svg, report, floor + 66);
   out << svg.take();
 }

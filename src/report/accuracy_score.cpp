@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "provis/error.hpp"
 #include "src/report/raster.hpp"
 
 namespace provis {
@@ -74,6 +75,31 @@ std::vector<ImagePart> seen_parts(const std::vector<Seen>& seen) {
   return parts;
 }
 
+std::vector<Status> united(const std::vector<const std::vector<Status>*>& proofs) {
+  std::vector<Status> known = *proofs.front();
+  for (const std::vector<Status>* proof : proofs)
+    for (std::size_t id = 0; id < known.size(); ++id) {
+      if ((*proof)[id] == Status::undecided || (*proof)[id] == known[id]) continue;
+      if (known[id] != Status::undecided)
+        throw Error(Error::Code::internal, "primitive " + std::to_string(id),
+                    "proven to be visible, and proven to be hidden");
+      known[id] = (*proof)[id];
+    }
+  return known;
+}
+
+SetExcess excess(const std::vector<Status>& upper, const std::vector<Status>& known) {
+  SetExcess e;
+  std::size_t visible = 0;
+  for (std::size_t id = 0; id < known.size(); ++id) {
+    visible += known[id] == Status::visible;
+    e.possible += upper[id] != Status::hidden;
+    e.beyond += upper[id] != Status::hidden && known[id] != Status::visible;
+  }
+  if (visible > 0) e.share = static_cast<double>(e.beyond) / static_cast<double>(visible);
+  return e;
+}
+
 SetScore score(const std::vector<Status>& set, const std::vector<Status>& exact,
                const std::vector<ImagePart>& parts) {
   SetScore score;
@@ -81,7 +107,7 @@ SetScore score(const std::vector<Status>& set, const std::vector<Status>& exact,
   for (std::size_t id = 0; id < exact.size(); ++id) {
     const bool is = exact[id] == Status::visible, said = set[id] == Status::visible;
     visible += is;
-    score.wrong_in += said && !is;
+    score.wrong_in += said && exact[id] == Status::hidden;
     score.wrong_out += is && !said;
   }
   if (visible > 0) score.set_missed = static_cast<double>(score.wrong_out) / static_cast<double>(visible);

@@ -28,14 +28,31 @@ std::vector<ImagePart> projected_parts(const Scene& scene, const PointView& view
 std::vector<ImagePart> seen_parts(const std::vector<Seen>& seen);
 
 struct SetScore {
-  std::size_t wrong_in = 0;   ///< in the set, though not visible
+  std::size_t wrong_in = 0;   ///< in the set, though hidden
   std::size_t wrong_out = 0;  ///< visible, and not in the set
   double set_missed = 0;      ///< wrong_out as a share of all that are visible
   double area_missed = 0;     ///< share of the area of the parts that are not shown; 0 if there are none
 };
 
+/// exact: of a cell, what is known of it; the shares are those of what is known to be visible.
+///
 /// Requires:   both of the same scene
 SetScore score(const std::vector<Status>& set, const std::vector<Status>& exact,
                const std::vector<ImagePart>& parts);
+
+/// What all proofs together say of a cell: visible or hidden where one does, else undecided.
+///
+/// Throws:     Error::internal where two contradict each other
+/// Requires:   one or more, all of the same scene
+std::vector<Status> united(const std::vector<const std::vector<Status>*>& proofs);
+
+/// How far the upper set of a cell goes beyond what is known to be visible.
+struct SetExcess {
+  std::size_t possible = 0;  ///< not hidden
+  std::size_t beyond = 0;    ///< of these, not known to be visible
+  double share = 0;          ///< beyond, by the number of those known to be visible
+};
+
+SetExcess excess(const std::vector<Status>& upper, const std::vector<Status>& known);
 
 }  // namespace provis

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <vector>
 
 #include "src/report/accuracy.hpp"
 #include "src/report/summary.hpp"
@@ -28,18 +30,23 @@ std::string percent(double share) { return share == 0 ? "0" : fmt::format("{:.3g
 
 std::string because(const WayOutcome& o) { return o.reason.empty() ? "" : ": " + o.reason; }
 
-void add_heading(Out out, const AccuracyReport& report) {
-  const ResultHeader& header = report.header;
-  fmt::format_to(out, "scene      {} ({} triangles, {} spheres)\n", header.scene_file, header.triangles,
-                 header.spheres);
-  fmt::format_to(out, "hash       {}\n", header.scene_hash);
-  fmt::format_to(out, "query      {}\n", query_text(header));
-  fmt::format_to(out, "options    {}\n", options_text(header.options));
-  fmt::format_to(out, "runs       {} of each way on {} threads; at most {:g} s and {}\n", report.runs,
-                 report.threads, report.time_limit,
-                 report.memory_limit == 0
-                     ? std::string("any memory")
-                     : fmt::format("{:.0f} MiB", static_cast<double>(report.memory_limit) / mebibyte));
+void add_known(Out out, const AccuracyReport& report) {
+  if (!report.known) {
+    fmt::format_to(out, "known      nothing: no way that proves anything ended\n");
+    return;
+  }
+  const auto& [visible, possible] = *report.known;
+  fmt::format_to(out,
+                 "known      by all proofs together {} are visible, and {} are hidden; {} may be either\n",
+                 visible, report.header.triangles - possible, possible - visible);
+}
+
+/// By what the ways are judged.
+void add_truth(Out out, const AccuracyReport& report) {
+  if (report.header.cell) {
+    add_known(out, report);
+    return;
+  }
   fmt::format_to(
       out, "exact set  {}\n",
       report.reference ? "by " + name(*report.reference) : std::string("not known: nothing certain ended"));
@@ -64,25 +71,68 @@ void add_heading(Out out, const AccuracyReport& report) {
   }
 }
 
+void add_heading(Out out, const AccuracyReport& report) {
+  const ResultHeader& header = report.header;
+  fmt::format_to(out, "scene      {} ({} triangles, {} spheres)\n", header.scene_file, header.triangles,
+                 header.spheres);
+  fmt::format_to(out, "hash       {}\n", header.scene_hash);
+  fmt::format_to(out, "query      {}\n", query_text(header));
+  fmt::format_to(out, "options    {}\n", options_text(header.options));
+  fmt::format_to(out, "runs       {} of each way on {} threads; at most {:g} s and {}\n", report.runs,
+                 report.threads, report.time_limit,
+                 report.memory_limit == 0
+                     ? std::string("any memory")
+                     : fmt::format("{:.0f} MiB", static_cast<double>(report.memory_limit) / mebibyte));
+  add_truth(out, report);
+}
+
+/// What each way gave, after what it cost: headings.
+std::vector<std::string> columns(const AccuracyReport& report) {
+  if (report.header.cell)
+    return {"visible", "wrong in", "wrong out", "missed", "not hidden", "too many", "beyond"};
+  return {"visible", "wrong in", "wrong out", "set missed",
+          report.area == AreaMeasure::sight ? "sight missed" : "area missed"};
+}
+
+std::vector<std::string> values(const WayOutcome& o, const AccuracyReport& report) {
+  const auto number = [](std::size_t n) { return std::to_string(n); };
+  if (report.header.cell) {
+    std::vector<std::string> row(7, "-");
+    if (o.score) {
+      row[0] = number(o.visible);
+      row[1] = number(o.score->wrong_in);
+      row[2] = number(o.score->wrong_out);
+      row[3] = percent(o.score->set_missed);
+    }
+    if (o.excess) {
+      row[4] = number(o.excess->possible);
+      row[5] = number(o.excess->beyond);
+      row[6] = percent(o.excess->share);
+    }
+    return row;
+  }
+  if (!o.score) return {number(o.visible), "?", "?", "?", "?"};
+  return {number(o.visible), number(o.score->wrong_in), number(o.score->wrong_out),
+          percent(o.score->set_missed), percent(o.score->area_missed)};
+}
+
 void add_costs(Out out, const AccuracyReport& report) {
-  fmt::format_to(out, "\n{:<15}{:>8}{:>17}{:>9}{:>9}{:>10}{:>10}{:>11}{:>12}{:>13}\n", "way", "CPU s",
-                 "least to most", "wall s", "MiB", "visible", "wrong in", "wrong out", "set missed",
-                 report.area == AreaMeasure::sight ? "sight missed" : "area missed");
+  fmt::format_to(out, "\n{:<15}{:>8}{:>17}{:>9}{:>9}", "way", "CPU s", "least to most", "wall s", "MiB");
+  const std::vector<std::string> headings = columns(report);
+  const auto width = [&](std::size_t k) { return std::max<std::size_t>(10, headings[k].size() + 2); };
+  for (std::size_t k = 0; k < headings.size(); ++k) fmt::format_to(out, "{:>{}}", headings[k], width(k));
+  fmt::format_to(out, "\n");
   for (const WayOutcome& o : report.outcomes) {
     fmt::format_to(out, "{:<15}", name(o.way));
     if (o.ending != Ending::done) {
       fmt::format_to(out, "  {}{}\n", name(o.ending), because(o));
       continue;
     }
-    fmt::format_to(out, "{:>8}{:>17}{:>9}{:>9.1f}{:>10}", seconds(o.cpu_seconds.median),
+    fmt::format_to(out, "{:>8}{:>17}{:>9}{:>9.1f}", seconds(o.cpu_seconds.median),
                    seconds(o.cpu_seconds.least) + " to " + seconds(o.cpu_seconds.most),
-                   seconds(o.wall_seconds.median), o.peak_bytes.median / mebibyte, o.visible);
-    if (o.score) {
-      fmt::format_to(out, "{:>10}{:>11}{:>12}{:>13}", o.score->wrong_in, o.score->wrong_out,
-                     percent(o.score->set_missed), percent(o.score->area_missed));
-    } else {
-      fmt::format_to(out, "{:>10}{:>11}{:>12}{:>13}", "?", "?", "?", "?");
-    }
+                   seconds(o.wall_seconds.median), o.peak_bytes.median / mebibyte);
+    const std::vector<std::string> row = values(o, report);
+    for (std::size_t k = 0; k < row.size(); ++k) fmt::format_to(out, "{:>{}}", row[k], width(k));
     fmt::format_to(out, "\n");
   }
 }
@@ -137,6 +187,17 @@ void add_sampling(Out out, const AccuracyReport& report) {
       figures->equal_time != nullptr ? found(*figures->equal_time) : "not even the fewest viewpoints");
 }
 
+void add_cell(Out out, const AccuracyReport& report) {
+  if (!report.known) return;
+  const auto& [visible, possible] = *report.known;
+  if (visible > 0)
+    fmt::format_to(out, "\nbounds     what is not proven hidden is {:.3f} times what is proven visible\n",
+                   static_cast<double>(possible) / static_cast<double>(visible));
+  if (const WayOutcome* o = usual_sampling(report))
+    fmt::format_to(out, "sampling   {} viewpoints miss {} of what is proven visible, {} in number\n",
+                   o->way.viewpoints, percent(o->score->set_missed), o->score->wrong_out);
+}
+
 }  // namespace
 
 std::string accuracy_text(const AccuracyReport& report) {
@@ -145,8 +206,12 @@ std::string accuracy_text(const AccuracyReport& report) {
   add_heading(out, report);
   add_costs(out, report);
   add_signs(out, report);
-  fmt::format_to(out, "\ncertainty  {}\n", price_text(report));
-  add_sampling(out, report);
+  if (report.header.cell) {
+    add_cell(out, report);
+  } else {
+    fmt::format_to(out, "\ncertainty  {}\n", price_text(report));
+    add_sampling(out, report);
+  }
   return text;
 }
 

@@ -331,7 +331,7 @@ TEST_CASE("along a segment a sight that is missed is measured") {
   CHECK(way(json, "sampled 10000")["score"]["wrong_out"] == 0);
 }
 
-TEST_CASE("a query is from a point or along segments") {
+TEST_CASE("a query is from a point, along segments or from a cell") {
   const TempFolder folder;
   const auto refused = [&](const Words& more, const char* message) {
     const Outcome outcome = provis_run(small_query(folder) + more);
@@ -342,9 +342,49 @@ TEST_CASE("a query is from a point or along segments") {
   refused({"--faces", "6"}, "--faces");
   const std::string scene = write_small_scene(folder.path() / "t.ply");
   const auto along = [&](const Words& more) { return provis_run(Words{"accuracy", scene} + more); };
+  CHECK_THAT(along({"--center", "0,0,0"}).err, Catch::Contains("--edge"));
+  CHECK_THAT(along({"--center", "0,0,0", "--edge", "1", "--eye", "0,0,0"}).err,
+             Catch::Contains("--eye: has no place with a cell"));
+  CHECK_THAT(along({"--center", "0,0,0", "--edge", "1", "--to", "0,0,0"}).err, Catch::Contains("--to"));
   CHECK_THAT(along({"--from", "0,0,0"}).err, Catch::Contains("--to"));
   CHECK_THAT(along({"--rect", "0,0,0:1,0,0"}).err, Catch::Contains("--rect"));
   CHECK_THAT(along({"--from", "0,0,0", "--to", "1,0,0", "--view", "omni"}).err, Catch::Contains("--view"));
+}
+
+TEST_CASE(
+    "from a cell both bounds are compared by resolution and viewpoints, and with a grid of viewpoints") {
+  const TempFolder folder;
+  const std::string scene = write_small_scene(folder.path() / "s.ply");
+  const Words words = {"accuracy", scene,    "--runs", "1",      "--center",
+                       "0,0,0",    "--edge", "0.25",   "--size", "16x16"};
+  const std::string file = (folder.path() / "r.json").string();
+  const Outcome outcome = provis_run(words + unlimited + Words{"--json", file});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const Json json = Json::parse(read_text(file));
+  CHECK(schema_violations(schema(), json) == Words{});
+  CHECK(json["query"]["kind"] == "cell");
+  CHECK(json["ways"].size() == 15);
+  for (const Json& w : json["ways"]) {
+    INFO(w.dump());
+    REQUIRE(w["ending"] == "done");
+    CHECK(w.contains("excess") == (w["method"] == "cos" || w["method"] == "bounds"));
+    CHECK(w["score"].is_null() == (w["method"] == "cos"));
+    if (w["method"] == "lower" || w["method"] == "bounds") CHECK(w["score"]["wrong_in"] == 0);
+  }
+  CHECK(json["known"]["visible"] == way(json, "bounds")["visible"]);
+  CHECK(way(json, "sampled 216")["score"]["wrong_out"] == 0);
+  CHECK_THAT(outcome.out, Catch::EndsWith("216 viewpoints miss 0 of what is proven visible, 0 in number\n"));
+  // A camera's window does not follow the pixels of each way.
+  const Json ahead = report(words + Words{"--dir", "0,0,-1"}),
+             behind = report(words + Words{"--dir", "0,0,1"});
+  CHECK(ahead["known"]["visible"] == json["known"]["visible"]);
+  CHECK(behind["known"]["visible"] == 0);
+  const Json late = report(words + Words{"--time-limit", "1e-9"});
+  CHECK(late["known"].is_null());
+  CHECK(way(late, "cos 50x25")["ending"] == "not tried");
+  CHECK(way(late, "lower")["ending"] == "timed out");
+  CHECK(schema_violations(schema(), late) == Words{});
 }
 
 TEST_CASE("a check is for plain doubles only") {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "provis/error.hpp"
 #include "tests/report/example_result.hpp"
 #include "tests/report/schema.hpp"
 #include "tests/scene/files.hpp"
@@ -69,6 +70,34 @@ AccuracyReport along_a_segment() {
   report.outcomes.push_back(
       outcome({Method::sampled, Arithmetic::doubles, 1, 100}, 7.5, {0, 1, 0.01, 0.001}));
   report.outcomes.push_back(outcome({Method::sampled, Arithmetic::doubles, 1, 1000}, 75, {}));
+  return report;
+}
+
+Way cell_way(CellMethod method, int viewpoints = 0, const PixelGrid& pixels = {0, 0}) {
+  return {Method::exact, Arithmetic::chain, 1, viewpoints, false, method, pixels};
+}
+
+AccuracyReport from_a_cell() {
+  AccuracyReport report = example();
+  report.header.cell = cell_around({1, 2, 3}, {0.5, 0.5, 0.5});
+  report.header.triangles = 300;
+  report.reference = {};
+  report.area = AreaMeasure::none;
+  report.known = KnownOfCell{100, 120};
+  report.outcomes.clear();
+  const auto grid = [&](int n, SetScore score) {
+    report.outcomes.push_back(
+        outcome({Method::sampled, Arithmetic::doubles, n, n * n * n, false, {}, {64, 64}}, 0.1 * n, score));
+  };
+  grid(2, {0, 20, 0.2, 0});
+  grid(6, {3, 5, 0.05, 0});
+  grid(10, {4, 2, 0.02, 0});
+  report.outcomes.push_back(outcome(cell_way(CellMethod::lower, 10), 1, {0, 1, 0.01, 0}));
+  report.outcomes.push_back(outcome(cell_way(CellMethod::cos, 0, {25, 13}), 2, {}));
+  report.outcomes.back().score.reset();
+  report.outcomes.back().excess = SetExcess{130, 30, 0.3};
+  report.outcomes.push_back(outcome(cell_way(CellMethod::bounds), 3, {}));
+  report.outcomes.back().excess = SetExcess{120, 20, 0.2};
   return report;
 }
 
@@ -242,4 +271,59 @@ TEST_CASE("along a segment the report is valid JSON by its schema") {
 TEST_CASE("sight is missed by the time that a triangle is seen") {
   const std::vector<ImagePart> parts = seen_parts({{0, 3, 1.5}, {2, 1, 0.5}});
   CHECK(score({out, out, in}, {in, out, in}, parts).area_missed == 0.75);
+}
+
+TEST_CASE("of a cell all proofs together are what is known, and they may not contradict each other") {
+  constexpr Status open = Status::undecided;
+  const std::vector<Status> lower = {in, open, open, in}, upper = {open, out, open, in},
+                            all = {in, out, open, in};
+  CHECK(united({&lower, &upper}) == all);
+  CHECK(united({&upper, &lower}) == all);
+  const std::vector<Status> wrong = {open, open, open, out};
+  CHECK_THROWS_AS(united({&lower, &wrong}), Error);
+  const SetExcess e = excess(upper, all);
+  CHECK(e.possible == 3);
+  CHECK(e.beyond == 1);
+  CHECK(e.share == 0.5);
+  // What is not known to be hidden is not called wrong.
+  CHECK(score({in, in, in, out}, all, {}).wrong_in == 1);
+  CHECK(score({in, in, in, out}, all, {}).set_missed == 0.5);
+}
+
+TEST_CASE("of a cell the report tells bounds against time, and what sampling misses") {
+  const AccuracyReport report = from_a_cell();
+  const std::string text = accuracy_text(report);
+  CHECK_THAT(text,
+             Catch::Contains(
+                 "known      by all proofs together 100 are visible, and 180 are hidden; 20 may be either"));
+  CHECK_THAT(text, Catch::Contains("\nviewpoints 10 ") && Catch::Contains("\ncos 25x13 ") &&
+                       Catch::Contains("130        30      30 %\n"));
+  CHECK_THAT(text, Catch::Contains("1.200 times what is proven visible\n"));
+  CHECK_THAT(text, Catch::EndsWith("216 viewpoints miss 5 % of what is proven visible, 5 in number\n"));
+  CHECK_THAT(text, !Catch::Contains("certainty") && !Catch::Contains("area"));
+  const std::string svg = drawn(report);
+  CHECK_THAT(svg, Catch::Contains("grid of viewpoints") && Catch::Contains(">25x13<") &&
+                      Catch::Contains("beyond") && !Catch::Contains("area missed"));
+  const Json json = written(report);
+  CHECK(schema_violations(schema(), json) == std::vector<std::string>{});
+  CHECK(json["known"] == Json{{"visible", 100}, {"possible", 120}});
+  CHECK(json["ways"][4]["excess"] == Json{{"possible", 130}, {"beyond", 30}, {"share", 0.3}});
+  CHECK(json["ways"][4]["pixels"] == Json{25, 13});
+  CHECK(json["ways"][4]["score"].is_null());
+  CHECK(json["ways"][0]["viewpoints"] == 8);
+  Json bad = json;
+  bad["ways"][4]["excess"].erase("share");
+  CHECK_FALSE(schema_violations(schema(), bad).empty());
+  CHECK_FALSE(written(example()).contains("known"));
+}
+
+TEST_CASE("only a finer way of the same kind is held back by a coarser one") {
+  const Way coarse = cell_way(CellMethod::cos, 0, {25, 13}), fine = cell_way(CellMethod::cos, 0, {50, 25});
+  CHECK(refines(fine, coarse));
+  CHECK(refines(cell_way(CellMethod::lower, 10), cell_way(CellMethod::lower, 1)));
+  CHECK_FALSE(refines(cell_way(CellMethod::lower), cell_way(CellMethod::lower, 1000)));
+  CHECK_FALSE(refines(coarse, cell_way(CellMethod::lower)));
+  CHECK_FALSE(refines(cell_way(CellMethod::bounds), fine));
+  CHECK(refines({Method::sampled, Arithmetic::chain, 2}, {Method::sampled, Arithmetic::chain, 1}));
+  CHECK_FALSE(refines({Method::sampled, Arithmetic::chain, 1}, {Method::aggressive}));
 }
