@@ -1,6 +1,7 @@
 #include "src/offset/beam.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace provis::offset {
 namespace {
@@ -12,9 +13,25 @@ Point inner_point(const Polygon& p) {
   return Interval(1) / Interval(p.size) * sum;
 }
 
+/// The extent of a polygon along an axis.
+Interval extent(const Polygon& p, int axis) {
+  double lo = HUGE_VAL, hi = -HUGE_VAL;
+  for (std::size_t k = 0; k < p.size; ++k) {
+    const Interval& x = component(p.corners[k].at, axis);
+    lo = std::min(lo, x.inf());
+    hi = std::max(hi, x.sup());
+  }
+  return {lo, hi};
+}
+
 bool certainly(const std::optional<Sign>& s, Sign wanted) { return s && *s == wanted; }
 
 }  // namespace
+
+Polygon polygon_of(const Entry& entry, const Facet& facet) {
+  if (entry.cut) return *entry.cut;
+  return whole(*facet.p[0], *facet.p[1], *facet.p[2]);
+}
 
 std::optional<bool> Resolver::aims_at(const Facet& f, const Point& from, const Point& to) const {
   bool left = false, right = false, all_left = true;
@@ -83,17 +100,21 @@ double Resolver::farthest(const std::vector<std::uint32_t>& members, const std::
 bool Resolver::behind(const Cover& cover, const Entry& entry) const {
   if (entry.near > cover.far) return true;
   constexpr std::size_t few = 16;
+  const Facet& facet = facets_[entry.facet];
   return cover.members.size() <= few &&
-         std::all_of(cover.members.begin(), cover.members.end(),
-                     [&](std::uint32_t m) { return m != entry.facet && lies_beyond(facets_[m], entry); });
+         std::all_of(cover.members.begin(), cover.members.end(), [&](std::uint32_t m) {
+           if (m == entry.facet) return false;
+           return entry.cut ? lies_beyond(facets_[m], Target{facet, *entry.cut})
+                            : lies_beyond(facets_[m], facet);
+         });
 }
 
 /// All of the polygon lies on the far side of the occluder's plane or in it, and not all of it in it.
-bool Resolver::lies_beyond(const Facet& occluder, const Entry& entry) const {
-  const Facet& f = facets_[entry.facet];
+bool Resolver::lies_beyond(const Facet& occluder, const Target& target) {
+  const Facet& f = target.facet;
   bool strictly = false;
-  for (std::size_t k = 0; k < entry.polygon.size; ++k) {
-    const Corner& c = entry.polygon.corners[k];
+  for (std::size_t k = 0; k < target.polygon.size; ++k) {
+    const Corner& c = target.polygon.corners[k];
     std::optional<Sign> s;
     if (c.input >= 0) {
       const auto i = static_cast<std::size_t>(c.input);
@@ -109,7 +130,7 @@ bool Resolver::lies_beyond(const Facet& occluder, const Entry& entry) const {
   return strictly;
 }
 
-bool Resolver::lies_beyond(const Facet& occluder, const Facet& f) const {
+bool Resolver::lies_beyond(const Facet& occluder, const Facet& f) {
   bool strictly = false;
   for (std::size_t k = 0; k < 3; ++k) {
     if (std::find(occluder.v.begin(), occluder.v.end(), f.v[k]) != occluder.v.end()) continue;
@@ -120,48 +141,41 @@ bool Resolver::lies_beyond(const Facet& occluder, const Facet& f) const {
   return strictly;
 }
 
-bool Resolver::boxes_apart(const Facet& occluder, const Entry& entry) const {
+bool Resolver::boxes_apart(const Facet& occluder, const Target& target) {
   for (int axis = 0; axis < 3; ++axis) {
-    double lo = HUGE_VAL, hi = -HUGE_VAL;
-    for (std::size_t k = 0; k < entry.polygon.size; ++k) {
-      const Interval& x = component(entry.polygon.corners[k].at, axis);
-      lo = std::min(lo, x.inf());
-      hi = std::max(hi, x.sup());
-    }
-    if (component(occluder.upper, axis) < lo || component(occluder.lower, axis) > hi) return true;
+    const Interval of_target = extent(target.polygon, axis);
+    const double a = component(*occluder.p[0], axis), b = component(*occluder.p[1], axis),
+                 c = component(*occluder.p[2], axis);
+    if (std::max({a, b, c}) < of_target.inf() || std::min({a, b, c}) > of_target.sup()) return true;
   }
   return false;
 }
 
-std::optional<Sign> Resolver::turn_of(const Mesh::Edge& edge, const Entry& entry, const Corner& corner,
-                                      const Vec3d& viewpoint) const {
+std::optional<Sign> Resolver::turn_of(const Mesh::Edge& edge, const Facet& f, const Corner& corner,
+                                      const Vec3d& viewpoint) {
   if (corner.input < 0)
     return sign_of(turn(*edge.ends[0], *edge.ends[1], corner.at, numbers<Interval>(viewpoint)));
-  const Facet& f = facets_[entry.facet];
   const auto i = static_cast<std::size_t>(corner.input);
   if (f.v[i] == edge.v[0] || f.v[i] == edge.v[1]) return Sign::zero;
   return turn(*edge.ends[0], *edge.ends[1], *f.p[i], viewpoint);
 }
 
 /// False only if no segment from inside the face to the inside of the polygon meets the edge on its way.
-bool Resolver::may_be_crossed(const Mesh::Edge& edge, const Face& face, const Entry& entry) const {
-  const Facet& f = facets_[entry.facet];
+bool Resolver::may_be_crossed(const Mesh::Edge& edge, const Face& face, const Target& target) {
+  const Facet& f = target.facet;
   for (int axis = 0; axis < 3; ++axis) {
-    double lo = component(face.corners[0], axis), hi = component(face.corners[2], axis);
-    for (std::size_t k = 0; k < entry.polygon.size; ++k) {
-      const Interval& x = component(entry.polygon.corners[k].at, axis);
-      lo = std::min(lo, x.inf());
-      hi = std::max(hi, x.sup());
-    }
+    const Interval of_target = extent(target.polygon, axis);
+    const double lo = std::min(component(face.corners[0], axis), of_target.inf()),
+                 hi = std::max(component(face.corners[2], axis), of_target.sup());
     const double a = component(*edge.ends[0], axis), b = component(*edge.ends[1], axis);
     if ((a < lo && b < lo) || (a > hi && b > hi)) return false;
   }
   // The product is linear in the viewpoint and in the point of the polygon, so its signs at corners are those
   // inside; where it has one sign the line through the edge is passed on one side.
   bool left = false, right = false, known = true;
-  for (std::size_t k = 0; k < entry.polygon.size && known && !(left && right); ++k)
+  for (std::size_t k = 0; k < target.polygon.size && known && !(left && right); ++k)
     for (const Vec3d& o : face.corners) {
-      const auto s = turn_of(edge, entry, entry.polygon.corners[k], o);
+      const auto s = turn_of(edge, f, target.polygon.corners[k], o);
       known = known && s.has_value();
       left = left || certainly(s, Sign::positive);
       right = right || certainly(s, Sign::negative);
@@ -191,12 +205,14 @@ Point Resolver::viewpoint_towards(const Beam& beam, const Point& to) const {
 }
 
 Failure Resolver::hide(const Beam& beam, const std::vector<Entry>& list, const Entry& entry) {
-  const Point to = inner_point(entry.polygon), from = viewpoint_towards(beam, to);
+  const Polygon polygon = polygon_of(entry, facets_[entry.facet]);
+  const Target target{facets_[entry.facet], polygon};
+  const Point to = inner_point(polygon), from = viewpoint_towards(beam, to);
   const auto usable = [&](std::uint32_t m) {
     const Facet& f = facets_[m];
-    return m != entry.facet && (lies_beyond(f, entry) || boxes_apart(f, entry));
+    return m != entry.facet && (lies_beyond(f, target) || boxes_apart(f, target));
   };
-  const auto may_cross = [&](const Mesh::Edge& e) { return may_be_crossed(e, beam.face, entry); };
+  const auto may_cross = [&](const Mesh::Edge& e) { return may_be_crossed(e, beam.face, target); };
   std::size_t seeds = 0;
   Failure first = Failure::nothing_between;
   bool clear = facets_[entry.facet].faced && shafts_.holds(beam.directions, to - from);

@@ -1,6 +1,8 @@
 #pragma once
 // The rays of one rectangle of pixels: what they may hit, and what is proven to hide it.
 
+#include <boost/smart_ptr/intrusive_ptr.hpp>
+#include <boost/smart_ptr/intrusive_ref_counter.hpp>
 #include <optional>
 #include <vector>
 
@@ -8,14 +10,22 @@
 
 namespace provis::offset {
 
+/// A part of a triangle, shared by the lists of one thread.
+struct CutPolygon : Polygon, boost::intrusive_ref_counter<CutPolygon, boost::thread_unsafe_counter> {
+  explicit CutPolygon(const Polygon& p) : Polygon(p) {}
+};
+
 /// A triangle that rays of a beam may hit.
 struct Entry {
   std::uint32_t facet = 0;
   bool wanted = false;                         ///< still to be decided; all others are here to occlude
   Failure failure = Failure::nothing_between;  ///< of the last attempt to hide it
   double near = 0, far = 0;                    ///< bounds on the depth of what lies in the beam
-  Polygon polygon;
+  boost::intrusive_ptr<const CutPolygon> cut;  ///< what lies in the beam; null for the whole triangle
 };
+
+/// What of the entry lies in its beam.
+Polygon polygon_of(const Entry& entry, const Facet& facet);
 
 /// Rays from a rectangle of viewpoints in a rectangle of directions.
 struct Beam {
@@ -53,13 +63,18 @@ class Resolver {
 
  private:
   Point viewpoint_towards(const Beam& beam, const Point& to) const;
-  bool lies_beyond(const Facet& occluder, const Entry& entry) const;
-  bool lies_beyond(const Facet& occluder, const Facet& facet) const;
+  /// What is to be hidden.
+  struct Target {
+    const Facet& facet;
+    const Polygon& polygon;
+  };
+  static bool lies_beyond(const Facet& occluder, const Target& target);
+  static bool lies_beyond(const Facet& occluder, const Facet& facet);
   double farthest(const std::vector<std::uint32_t>& members, const std::vector<Entry>& list);
-  bool boxes_apart(const Facet& occluder, const Entry& entry) const;
-  bool may_be_crossed(const Mesh::Edge& edge, const Face& face, const Entry& entry) const;
-  std::optional<Sign> turn_of(const Mesh::Edge& edge, const Entry& entry, const Corner& corner,
-                              const Vec3d& viewpoint) const;
+  static bool boxes_apart(const Facet& occluder, const Target& target);
+  static bool may_be_crossed(const Mesh::Edge& edge, const Face& face, const Target& target);
+  static std::optional<Sign> turn_of(const Mesh::Edge& edge, const Facet& facet, const Corner& corner,
+                                     const Vec3d& viewpoint);
   /// Whether the line passes through the triangle's interior; nullopt where that is not certain.
   std::optional<bool> aims_at(const Facet& facet, const Point& from, const Point& to) const;
   /// The same for the segment.

@@ -40,9 +40,6 @@ Facet make_facet(const Scene& scene, const Seams& seams, std::size_t t) {
     f.p[k] = &scene.corner(t, static_cast<int>(k));
     f.v[k] = seams.vertex(scene.triangles()[t][k]);
   }
-  const Vec3d &a = *f.p[0], &b = *f.p[1], &c = *f.p[2];
-  f.lower = {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
-  f.upper = {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})};
   return f;
 }
 

@@ -19,7 +19,6 @@ struct Facet {
   bool faced = false;                         ///< the whole face lies on one side of the plane, and not in it
   bool opaque = false;
   bool occludes = false;  ///< faced, opaque, and seen from the side that it has
-  Vec3d lower, upper;     ///< its box, exact
 };
 
 struct Facets {

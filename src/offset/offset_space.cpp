@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 
@@ -15,6 +15,18 @@
 
 namespace provis::offset {
 namespace {
+
+/// What certain signs cost this thread from here on.
+class SignTally {
+ public:
+  void read(OffsetStats& stats) const {
+    stats.signs_interval = certain_signs.interval - before_.interval;
+    stats.signs_exact = certain_signs.exact - before_.exact;
+  }
+
+ private:
+  CertainSigns before_ = certain_signs;
+};
 
 /// One face with everything that its rasters share.
 struct Outlook {
@@ -29,17 +41,15 @@ struct Outlook {
   }
 };
 
-/// What certain signs cost this thread from here on.
-class SignTally {
- public:
-  void read(OffsetStats& stats) const {
-    stats.signs_interval = certain_signs.interval - before_.interval;
-    stats.signs_exact = certain_signs.exact - before_.exact;
-  }
-
- private:
-  CertainSigns before_ = certain_signs;
-};
+Outlook look_out(const Scene& scene, const Seams& seams, const Face& face) {
+  const RoundUp guard;
+  const SignTally tally;
+  const Stopwatch stopwatch;
+  Outlook outlook(scene, seams, face);
+  outlook.stats.seconds_build = stopwatch.seconds();
+  tally.read(outlook.stats);
+  return outlook;
+}
 
 /// Adds the time until it is gone.
 class Timer {
@@ -96,7 +106,8 @@ class Descent {
   std::uint64_t resolve(const Beam& beam, std::vector<Entry>& list);
   void keep(Entry& entry);
   void count(Failure f);
-  bool measure(Entry& entry) const;
+  void measure(Entry& entry, const Polygon& polygon) const;
+  bool cut(Entry& entry, std::span<const HalfSpace> spaces) const;
   void forget_known(std::vector<Entry>& list) const;
   const Facet& facet(const Entry& e) const { return outlook_.facets.all[e.facet]; }
 
@@ -134,23 +145,43 @@ void Descent::run() {
     Entry e;
     e.facet = f;
     e.wanted = wanted_[facet(e).id];
-    e.polygon = whole(*facet(e).p[0], *facet(e).p[1], *facet(e).p[2]);
-    for (const HalfSpace& h : beam.spaces) e.polygon.clip(h);
-    if (e.polygon.size > 0) list.push_back(e);
+    measure(e, polygon_of(e, facet(e)));
+    if (cut(e, beam.spaces)) list.push_back(std::move(e));
   }
   halve(all, std::move(list), std::nullopt);
 }
 
-/// The least and greatest depth of what is left; false if nothing is.
-bool Descent::measure(Entry& e) const {
-  if (e.polygon.size == 0) return false;
+void Descent::measure(Entry& e, const Polygon& polygon) const {
   e.near = HUGE_VAL;
   e.far = -HUGE_VAL;
-  for (std::size_t k = 0; k < e.polygon.size; ++k) {
-    const Interval d = shafts_.depth(e.polygon.corners[k].at);
+  for (std::size_t k = 0; k < polygon.size; ++k) {
+    const Interval d = shafts_.depth(polygon.corners[k].at);
     e.near = std::min(e.near, d.inf());
     e.far = std::max(e.far, d.sup());
   }
+}
+
+/// Leaves what lies in the half spaces; false if nothing does. Most triangles are not cut.
+bool Descent::cut(Entry& e, std::span<const HalfSpace> spaces) const {
+  Polygon changed;
+  if (!e.cut) changed = polygon_of(e, facet(e));
+  const Polygon* now = e.cut ? e.cut.get() : &changed;
+  bool any = false;
+  for (const HalfSpace& h : spaces) switch (now->outside(h)) {
+      case Polygon::Outside::none:
+        break;
+      case Polygon::Outside::all:
+        return false;
+      case Polygon::Outside::some:
+        if (now != &changed) changed = *now;
+        now = &changed;
+        changed.clip(h);
+        if (changed.size == 0) return false;
+        any = true;
+    }
+  if (!any) return true;
+  measure(e, changed);
+  e.cut = new CutPolygon(changed);
   return true;
 }
 
@@ -159,9 +190,9 @@ bool Descent::measure(Entry& e) const {
 std::vector<Entry> Descent::part(std::span<const HalfSpace> cuts, const std::vector<Entry>& list) {
   const Timer timer(stats_.seconds_lists);
   std::vector<Entry> in;
-  for (Entry e : list) {
-    for (const HalfSpace& h : cuts) e.polygon.clip(h);
-    if (measure(e)) in.push_back(e);
+  for (const Entry& whole : list) {
+    Entry e = whole;
+    if (cut(e, cuts)) in.push_back(std::move(e));
   }
   std::sort(in.begin(), in.end(), [](const Entry& a, const Entry& b) {
     return a.near != b.near ? a.near < b.near : a.facet < b.facet;
@@ -313,43 +344,35 @@ UpperSet reach(const Scene& scene, const ViewCell& cell, const std::vector<char>
   UpperSet set{std::vector<char>(wanted.size(), 0), {}};
   set.stats.seconds_build = building.seconds();
   const std::vector<Face> faces = faces_of(cell);
-  std::vector<std::unique_ptr<Outlook>> outlooks(faces.size());
-  struct Task {
-    std::size_t face;
-    Raster raster;
-    std::vector<char> reached;
-    OffsetStats stats;
-  };
-  std::vector<Task> tasks;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (Raster& r : rasters_of(cell, faces[f], pixels)) tasks.push_back({f, std::move(r), {}, {}});
+  std::vector<std::vector<Raster>> rasters;
+  double raster_count = 0;
+  for (const Face& f : faces) {
+    rasters.push_back(rasters_of(cell, f, pixels));
+    raster_count += static_cast<double>(rasters.back().size());
+  }
 
+  // A face's triangles and edges take much memory: they are made by the thread that first looks out of it.
+  std::mutex joining;
   on_threads(context, [&] {
-    parallel_for(faces.size(), [&](std::size_t f) {
-      const RoundUp guard;
-      const SignTally tally;
-      const Stopwatch stopwatch;
-      outlooks[f] = std::make_unique<Outlook>(scene, seams, faces[f]);
-      outlooks[f]->stats.seconds_build = stopwatch.seconds();
-      tally.read(outlooks[f]->stats);
-    });
-    parallel_queue(tasks.size(), [&](std::size_t k) {
-      const RoundUp guard;
-      const SignTally tally;
-      Descent descent(*outlooks[tasks[k].face], tasks[k].raster, wanted, refinements, context);
-      descent.run();
-      tasks[k].reached = descent.reached();
-      tasks[k].stats = descent.stats();
-      tally.read(tasks[k].stats);
-      meter.add(1 / static_cast<double>(tasks.size()));
+    parallel_queue(faces.size(), [&](std::size_t f) {
+      const Outlook outlook = look_out(scene, seams, faces[f]);
+      const auto resolve = [&](std::size_t k) {
+        const RoundUp guard;
+        const SignTally tally;
+        Descent descent(outlook, rasters[f][k], wanted, refinements, context);
+        descent.run();
+        OffsetStats stats = descent.stats();
+        tally.read(stats);
+        meter.add(1 / raster_count);
+        const std::lock_guard lock(joining);
+        for (std::size_t id = 0; id < set.reached.size(); ++id) set.reached[id] |= descent.reached()[id];
+        set.stats += stats;
+      };
+      parallel_within([&] { parallel_queue(rasters[f].size(), resolve); });
+      const std::lock_guard lock(joining);
+      set.stats += outlook.stats;
     });
   });
-
-  for (const Task& t : tasks) {
-    for (std::size_t id = 0; id < set.reached.size(); ++id) set.reached[id] |= t.reached[id];
-    set.stats += t.stats;
-  }
-  for (const auto& o : outlooks) set.stats += o->stats;
   return set;
 }
 

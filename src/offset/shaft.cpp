@@ -32,18 +32,24 @@ Corner cut(const Corner& a, const Corner& b, double share) {
 
 }  // namespace
 
-void Polygon::clip(const HalfSpace& h) {
-  std::array<Interval, most> heights;
+Polygon::Outside Polygon::outside(const HalfSpace& h) const {
   bool any_out = false, any_in = false;
-  for (std::size_t k = 0; k < size; ++k) {
-    heights[k] = height(h, corners[k].at);
-    (heights[k].sup() < 0 ? any_out : any_in) = true;
+  for (std::size_t k = 0; k < size; ++k) (height(h, corners[k].at).sup() < 0 ? any_out : any_in) = true;
+  return !any_out ? Outside::none : any_in ? Outside::some : Outside::all;
+}
+
+void Polygon::clip(const HalfSpace& h) {
+  switch (outside(h)) {
+    case Outside::none:
+      return;
+    case Outside::all:
+      size = 0;
+      return;
+    case Outside::some:
+      break;
   }
-  if (!any_out) return;
-  if (!any_in) {
-    size = 0;
-    return;
-  }
+  std::array<Interval, most> heights;
+  for (std::size_t k = 0; k < size; ++k) heights[k] = height(h, corners[k].at);
   std::array<Corner, 2 * most> kept;
   std::size_t n = 0;
   for (std::size_t k = 0; k < size; ++k) {

@@ -33,6 +33,10 @@ struct Polygon {
   std::array<Corner, most> corners;
   std::uint8_t size = 0;
 
+  /// Corners outside of the half space certainly are: none, some or all.
+  enum class Outside { none, some, all };
+  Outside outside(const HalfSpace& h) const;
+
   /// Cuts off what certainly lies outside. A cut that would need too many corners is left out.
   void clip(const HalfSpace& h);
 };

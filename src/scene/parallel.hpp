@@ -46,6 +46,13 @@ void parallel_queue(std::size_t count, const Body& body) {
   parallel_for(count, [&](std::size_t) { body(next.fetch_add(1, std::memory_order_relaxed)); });
 }
 
+/// Runs loops inside of a body, which takes no other body of the outer loop meanwhile: what a body holds is
+/// held once per thread.
+template <class Work>
+void parallel_within(const Work& work) {
+  tbb::this_task_arena::isolate(work);
+}
+
 template <class First, class Second>
 void parallel_invoke(const First& first, const Second& second) {
   TaskOrder order;
