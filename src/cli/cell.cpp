@@ -12,6 +12,7 @@
 #include "provis/result_file.hpp"
 #include "provis/witness.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/detail_options.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/peak_memory.hpp"
 #include "src/cli/progress.hpp"
@@ -31,6 +32,7 @@ constexpr std::uint64_t most_threads = 4096, most_viewpoints = 65536, most_direc
 struct CellCommand {
   SceneOptions source;
   WindowOptions looking;
+  DetailOptions simplified;
   std::string center, edge, method = "bounds", size = "32x32", refinements = "8", viewpoints = "32",
                             path_pixels = "16", directions = "4", threads = "0";
   std::string out, ids;
@@ -87,6 +89,8 @@ CellOptions CellCommand::options() const {
 }
 
 ResultFile CellCommand::query(const Scene& scene, const ViewCell& where, Run& run) const {
+  const std::optional<LoadedDetail> loaded = simplified.load(source, scene, run);
+  run.stage("computing what is visible");
   ResultFile result;
   ResultHeader& h = result.header;
   source.state(scene, h);
@@ -99,12 +103,15 @@ ResultFile CellCommand::query(const Scene& scene, const ViewCell& where, Run& ru
   h.options["path-pixels"] = path_pixels;
   h.options["sample-directions"] = directions;
   h.options["viewpoint-seed"] = std::to_string(options().seed);
+  if (loaded) simplified.state(*loaded, h.options);
 
   ProgressLine line;
   Context context = run.context;
   if (line.enabled()) context.on_progress = [&](const Progress& progress) { line.show(progress); };
   const PeakMemory peak;
-  CellSet set = visible_from_cell(scene, where, options(), context);
+  CellOptions how = options();
+  if (loaded) how.detail = &loaded->detail;
+  CellSet set = visible_from_cell(scene, where, how, context);
   if (witness) {
     run.stage("verifying the witnesses");
     say(fmt::format("verified   {} witnesses, each against all {} triangles\n",
@@ -115,7 +122,7 @@ ResultFile CellCommand::query(const Scene& scene, const ViewCell& where, Run& ru
   set.set.stats.peak_bytes = peak.bytes();
   result.set = std::move(set.set);
   result.boundary = std::move(set.boundary);
-  result.counts = CellCounts{std::move(set.unwitnessed), set.bounds, set.offset};
+  result.counts = CellCounts{std::move(set.unwitnessed), set.bounds, set.offset, set.detail};
   return result;
 }
 
@@ -129,13 +136,13 @@ void CellCommand::run(Run& run) const {
   const ViewCell where = cell();
   check(where);
   (void)options();
+  simplified.validate(method);
   std::optional<Output> result_file, ids_file;
   if (!out.empty()) result_file.emplace(out);
   if (!ids.empty()) ids_file.emplace(ids);
 
   const Scene scene = source.load(run);
   warn_of_left_out(scene, source.file);
-  run.stage("computing what is visible");
   const ResultFile result = query(scene, where, run);
 
   run.stage("writing the result");
@@ -157,6 +164,7 @@ void CellCommand::add_to(CLI::App& command) {
       ->type_name("A[,B,C]")
       ->group(where);
   looking.add_to(command);
+  simplified.add_to(command);
   const char* computing = "How to compute";
   command
       .add_option(
@@ -220,7 +228,9 @@ void CellCommand::add_to(CLI::App& command) {
       "  provis cell town.glb --center 0,1.7,0 --edge 0.3\n"
       "  provis cell town.glb --center 0,1.7,0 --edge 1,0.5,1 --cos-size 128x128 --witness --out town.json\n"
       "  provis cell town.glb --center 0,1.7,0 --edge 0.3 --dir 0,0,-1 --method cos --cos-size 200x100 "
-      "--stats");
+      "--stats\n"
+      "  provis cell town.glb --center 0,1.7,0 --edge 0.3 --occluders inner.glb --shell outer.glb --objects "
+      "town.json");
 }
 
 }  // namespace
