@@ -15,6 +15,7 @@ PlaneCells::PlaneCells(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   j_ = (axis + 2) % 3;
   turn_ = sign_of(component(n, axis));
   whole_.corners = {spot(p), spot(q), spot(r)};
+  for (std::size_t k = 0; k < 3; ++k) edges_[k] = line(whole_.corners[k], whole_.corners[(k + 1) % 3]);
 }
 
 PlaneCells::Spot PlaneCells::spot(const Point& p) const {
@@ -77,19 +78,26 @@ PlaneCells::Polygon PlaneCells::clip(const Polygon& p, const Line& line, Sign ke
   return kept;
 }
 
-void PlaneCells::add_segment(const Point& from, const Point& to) {
-  const Spot f = spot(from), t = spot(to);
-  Cut cut{line(f, t), f, t};
-  const Polygon& p = whole_.corners;
-  if (!divides(cut.line, p)) return;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!clip(cut, line(p[k], p[(k + 1) % 3]), turn_)) return;
+void PlaneCells::add_cut(Cut cut) {
+  if (!divides(cut.line, whole_.corners)) return;
+  for (const Line& edge : edges_)
+    if (!clip(cut, edge, turn_)) return;
   whole_.cuts.push_back(std::move(cut));
 }
 
+void PlaneCells::add_segment(const Point& from, const Point& to) {
+  const Spot f = spot(from), t = spot(to);
+  add_cut({line(f, t), f, t});
+}
+
 void PlaneCells::add_cover(const Cover& cover) {
-  for (std::size_t k = 0; k < 3; ++k) add_segment(cover.corners[k], cover.corners[(k + 1) % 3]);
-  covers_.push_back(cover);
+  Laid laid{cover, {spot(cover.corners[0]), spot(cover.corners[1]), spot(cover.corners[2])}, {}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Spot &from = laid.corners[k], &to = laid.corners[(k + 1) % 3];
+    laid.edges[k] = line(from, to);
+    add_cut({laid.edges[k], from, to});
+  }
+  covers_.push_back(std::move(laid));
 }
 
 PlaneCells::Cell PlaneCells::part(const Cell& cell, const Line& line, Sign keep) const {
@@ -97,17 +105,17 @@ PlaneCells::Cell PlaneCells::part(const Cell& cell, const Line& line, Sign keep)
   half.corners = clip(cell.corners, line, keep);
   for (Cut cut : cell.cuts)
     if (clip(cut, line, keep) && divides(cut.line, half.corners)) half.cuts.push_back(std::move(cut));
-  for (const Cover* cover : cell.covers)
+  for (const Laid* cover : cell.covers)
     if (std::any_of(cover->corners.begin(), cover->corners.end(),
-                    [&](const Point& p) { return side(line, spot(p)) == keep; }))
+                    [&](const Spot& p) { return side(line, p) == keep; }))
       half.covers.push_back(cover);
   return half;
 }
 
-bool PlaneCells::holds(const Cover& cover, const Spot& p) const {
+bool PlaneCells::holds(const Laid& cover, const Spot& p) const {
   bool left = false, right = false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Sign s = side(line(spot(cover.corners[k]), spot(cover.corners[(k + 1) % 3])), p);
+  for (const Line& edge : cover.edges) {
+    const Sign s = side(edge, p);
     left = left || s == Sign::positive;
     right = right || s == Sign::negative;
   }
@@ -126,13 +134,15 @@ bool PlaneCells::any(Cell cell, const Visit& visit) const {
   const Polygon& p = cell.corners;
   const Point inner = Rational(0.25) * (p[0].at + p[1].at) + Rational(0.5) * p[2].at;
   const Spot there = spot(inner);
-  std::erase_if(cell.covers, [&](const Cover* cover) { return !holds(*cover, there); });
-  return visit(inner, cell.covers);
+  std::vector<const Cover*> held;
+  for (const Laid* cover : cell.covers)
+    if (holds(*cover, there)) held.push_back(&cover->cover);
+  return visit(inner, held);
 }
 
 bool PlaneCells::any(const Visit& visit) const {
   Cell whole = whole_;
-  for (const Cover& cover : covers_) whole.covers.push_back(&cover);
+  for (const Laid& cover : covers_) whole.covers.push_back(&cover);
   return any(std::move(whole), visit);
 }
 

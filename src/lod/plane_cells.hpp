@@ -48,11 +48,16 @@ class PlaneCells {
     Line line;
     Spot from, to;
   };
+  struct Laid {
+    Cover cover;
+    std::array<Spot, 3> corners;
+    std::array<Line, 3> edges;  ///< from corner k to the next
+  };
   using Polygon = std::vector<Spot>;
   struct Cell {
     Polygon corners;
     std::vector<Cut> cuts;
-    std::vector<const Cover*> covers;
+    std::vector<const Laid*> covers;
   };
 
   Spot spot(const Point& p) const;
@@ -64,13 +69,15 @@ class PlaneCells {
   bool clip(Cut& cut, const Line& line, Sign keep) const;
   Polygon clip(const Polygon& p, const Line& line, Sign keep) const;
   Cell part(const Cell& cell, const Line& line, Sign keep) const;
-  bool holds(const Cover& cover, const Spot& p) const;
+  void add_cut(Cut cut);
+  bool holds(const Laid& cover, const Spot& p) const;
   bool any(Cell cell, const Visit& visit) const;
 
   int i_ = 0, j_ = 1;  ///< the coordinates in which the plane is not seen edge-on
   Sign turn_;          ///< which way the triangle turns in them
   Cell whole_;
-  std::vector<Cover> covers_;
+  std::array<Line, 3> edges_;  ///< of the whole
+  std::vector<Laid> covers_;
 };
 
 }  // namespace provis::lod

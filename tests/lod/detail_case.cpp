@@ -1,5 +1,7 @@
 #include "tests/lod/detail_case.hpp"
 
+#include "predicates/formulas.hpp"
+
 namespace provis::test {
 namespace {
 
@@ -41,6 +43,17 @@ DetailSoup any_ball(Random& random) {
   return s;
 }
 
+/// A wall across the scene, with everything beyond it hidden from most cells before it.
+DetailSoup long_wall(Random& random) {
+  constexpr double reach = 24;
+  const int axis = random.between(0, 2);
+  SolidBox box{{-reach, -reach, -reach}, {reach, reach, reach}};
+  component(box.lower, axis) = random.between(-3, 3);
+  component(box.upper, axis) = component(box.lower, axis) + 1;
+  return {box_solid(box, 1, random), box_solid(random.chance(50) ? box : grown(box, -0.25)), box_solid(box),
+          random.pick<std::uint8_t>({0, single_sided})};
+}
+
 DetailSoup any_object(Random& random) {
   const auto one = [&] { return random.chance(60) ? any_box(random) : any_ball(random); };
   DetailSoup s = one();
@@ -79,6 +92,7 @@ DetailCase detail_case(std::uint64_t seed) {
   c.full.seed = seed;
   for (int n = random.between(1, 5), k = 0; k < n; ++k)
     add(c, "object " + std::to_string(k), any_object(random));
+  for (int n = random.between(0, 2); n > 0; --n) add(c, "wall " + std::to_string(n), long_wall(random));
   for (int n = random.between(0, 4); n > 0; --n)
     add(c.full.arrays, {Corners{spread(random), spread(random), spread(random)}},
         random.pick<std::uint8_t>({0, 0, single_sided, see_through}));
