@@ -3,7 +3,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(provis_libraries)
-foreach(folder predicates scene point segment offset region certify report)
+foreach(folder predicates scene point segment offset lod region certify report)
   if(TARGET provis_${folder})
     list(APPEND provis_libraries provis_${folder})
   endif()

@@ -28,6 +28,8 @@ ViewCell cell_around(const Vec3d& center, const Vec3d& edges);
 /// window passes check(PointView).
 void check(const ViewCell& cell);
 
+class LevelOfDetail;
+
 /// What is computed.
 enum class CellMethod {
   bounds,     ///< both bounds of R9: the lower set by sampling viewpoints and directions, the upper set for
@@ -46,6 +48,9 @@ struct CellOptions {
   int directions = 4;    ///< lower set: directions^2 exact samples of the offset space per face, 0 to 256
   int path_pixels = 16;  ///< lower set: along edges and diagonals, pixels each way of each frame, 0 to 1024
   std::uint64_t seed = 1;  ///< of the viewpoints
+  /// bounds and cos: the upper set is found with it instead of the scene itself. Of this very scene; outlives
+  /// the query
+  const LevelOfDetail* detail = nullptr;
 };
 
 /// How the camera offset space was resolved. Lists are those of the pixels that were reached: a part of a
@@ -93,6 +98,16 @@ struct BoundStats {
   double seconds_viewpoints = 0, seconds_paths = 0, seconds_samples = 0, seconds_upper = 0;  ///< wall clock
 };
 
+/// What a level of detail did; zero without one. All objects but the candidates are hidden.
+struct DetailStats {
+  std::uint64_t objects = 0;
+  std::uint64_t candidates = 0;  ///< objects that are not proven hidden
+  std::uint64_t whole = 0;       ///< of these, those whose shell may hold a part of the cell
+  std::uint64_t dropped = 0;     ///< objects that hide nothing, because the cell may reach into them
+  std::uint64_t triangles = 0;   ///< of the scene that was looked at instead of the full one
+  double seconds_verification = 0;
+};
+
 /// The answer for one cell. Visible: the lower set. Hidden: everything outside the upper set.
 struct CellSet {
   /// Answers R9 (cos_exact: R10); a witness for each visible primitive but those listed here.
@@ -101,6 +116,7 @@ struct CellSet {
   std::vector<PrimitiveId> boundary;  ///< cos_exact: visible by R10, but not proven to be in R10°; ascending
   BoundStats bounds;
   OffsetStats offset;
+  DetailStats detail;
 };
 
 /// Which primitives are visible from somewhere in a box, as a lower and an upper set.
@@ -120,7 +136,7 @@ struct CellSet {
 ///             (R6); what is shown from there alone is `boundary`
 /// Throws:     Error::cancelled, Error::usage (options out of range), Error::unsupported (spheres; a flat
 ///             cell without a viewpoint that lies on no occluder; cos_exact of a cell without a face of
-///             some area)
+///             some area); Error::usage for a level of detail of another scene, or with another method
 /// Cost:       upper set: about O(pixels l^2), l entries per list; parallel; same answer for any thread count
 /// Source:     J. Hladky, H.-P. Seidel, M. Steinberger, The camera offset space: real-time potentially
 ///             visible set computations for streaming rendering, 2019

@@ -51,6 +51,7 @@ struct CellCounts {
   std::vector<PrimitiveId> unwitnessed;  ///< as in CellSet
   BoundStats bounds;
   OffsetStats offset;
+  DetailStats detail;
 };
 
 struct ResultFile {

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "predicates/formulas.hpp"
+#include "predicates/ray_hit.hpp"
 #include "provis/error.hpp"
+#include "src/scene/ray_box.hpp"
 
 namespace provis {
 namespace {
@@ -53,22 +55,8 @@ Interval bounds(const N& x) {
 Vec3<Interval> bounds(const Vec3<N>& v) { return {bounds(v.x), bounds(v.y), bounds(v.z)}; }
 
 template <class T>
-struct Hit {
-  T passes[3], along, reach;
-};
-
-template <class T>
-Hit<T> meet(const Vec3<T>& origin, const Vec3<T>& direction, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const Vec3<T> p = numbers<T>(a) - origin, q = numbers<T>(b) - origin, r = numbers<T>(c) - origin;
-  const Vec3<T> n = cross(numbers<T>(b) - numbers<T>(a), numbers<T>(c) - numbers<T>(a));
-  return {{dot(cross(p, q), direction), dot(cross(q, r), direction), dot(cross(r, p), direction)},
-          dot(n, direction),
-          dot(n, p)};
-}
-
-template <class T>
-Hit<T> meet(const Vec3<T>& origin, const Vec3<T>& direction, const Scene& scene, std::size_t t) {
-  return meet(origin, direction, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2));
+RayHit<T> ray_hit(const Vec3<T>& origin, const Vec3<T>& direction, const Scene& scene, std::size_t t) {
+  return provis::ray_hit(origin, direction, scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2));
 }
 
 /// The interval's sign where it has one, the exact number's otherwise.
@@ -90,8 +78,8 @@ ExactRay::ExactRay(const Witness& witness)
 }
 
 Passage ExactRay::passage(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
-  const Hit<Interval> i = meet(origin_bounds_, direction_bounds_, a, b, c);
-  const auto exact = [&] { return meet(origin_, direction_, a, b, c); };
+  const RayHit<Interval> i = provis::ray_hit(origin_bounds_, direction_bounds_, a, b, c);
+  const auto exact = [&] { return provis::ray_hit(origin_, direction_, a, b, c); };
   Passage p;
   for (int k = 0; k < 3; ++k) p.passes[k] = certain(i.passes[k], [&] { return exact().passes[k]; });
   p.along = certain(i.along, [&] { return exact().along; });
@@ -120,28 +108,14 @@ bool ExactRay::starts_on(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
 Sign ExactRay::compare(const Scene& scene, std::size_t first, std::size_t second) const {
   // reach2/along2 - reach1/along1, over the product of both denominators and its sign.
   const auto difference = [&](const auto& origin, const auto& direction) {
-    const auto f = meet(origin, direction, scene, first), s = meet(origin, direction, scene, second);
+    const auto f = ray_hit(origin, direction, scene, first), s = ray_hit(origin, direction, scene, second);
     return (s.reach * f.along - f.reach * s.along) * (f.along * s.along);
   };
   return certain(difference(origin_bounds_, direction_bounds_),
                  [&] { return difference(origin_, direction_); });
 }
 
-bool ExactRay::may_meet(const Box& box) const {
-  // Along each axis the ray is inside the slab for a range of distances; the ranges must have a common point.
-  double from = 0, to = HUGE_VAL;
-  const auto slab = [&](double lo, double hi, const Interval& o, const Interval& d) {
-    if (d.inf() <= 0 && d.sup() >= 0)
-      return !(d.inf() == 0 && d.sup() == 0) || (o.sup() >= lo && o.inf() <= hi);
-    const Interval a = (Interval(lo) - o) / d, b = (Interval(hi) - o) / d;
-    from = std::max(from, std::min(a.inf(), b.inf()));
-    to = std::min(to, std::max(a.sup(), b.sup()));
-    return !(from > to);
-  };
-  return slab(box.lower.x, box.upper.x, origin_bounds_.x, direction_bounds_.x) &&
-         slab(box.lower.y, box.upper.y, origin_bounds_.y, direction_bounds_.y) &&
-         slab(box.lower.z, box.upper.z, origin_bounds_.z, direction_bounds_.z);
-}
+bool ExactRay::may_meet(const Box& box) const { return ray_may_meet(origin_bounds_, direction_bounds_, box); }
 
 bool passes_window(const ViewGeometry& g, const Window& w, const Vec3<ExactNumber>& ray) {
   using N = ExactNumber;

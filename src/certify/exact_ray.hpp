@@ -8,13 +8,11 @@
 #include "predicates/view_geometry.hpp"
 #include "provis/scene.hpp"
 #include "provis/visible_set.hpp"
-#include "src/certify/box_tree.hpp"
+#include "src/scene/box_tree.hpp"
 
 namespace provis {
 
-/// Where a ray meets a triangle's plane and how it passes the edges. With a, b, c relative to the origin:
-/// passes[k] = det[p_k, p_k+1, direction], along = n·direction = their sum, reach = n·a. The hit lies at
-/// reach/along; it is inside where all passes have the sign of along.
+/// The signs of a RayHit (predicates/ray_hit.hpp).
 struct Passage {
   Sign passes[3];
   Sign along;

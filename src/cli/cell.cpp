@@ -13,6 +13,7 @@
 #include "provis/witness.hpp"
 #include "src/cli/cell_method.hpp"
 #include "src/cli/cell_place.hpp"
+#include "src/cli/detail_options.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/peak_memory.hpp"
 #include "src/cli/progress.hpp"
@@ -31,6 +32,7 @@ struct CellCommand {
   CellPlace place;
   WindowOptions looking;
   CellMethodOptions how;
+  DetailOptions simplified;
   std::string out, ids;
   bool witness = false, stats = false;
 
@@ -59,18 +61,21 @@ ViewCell CellCommand::cell() const {
 }
 
 ResultFile CellCommand::query(const Scene& scene, const ViewCell& where, Run& run) const {
+  const std::optional<LoadedDetail> loaded = simplified.load(source, scene, run);
+  run.stage("computing what is visible");
   ResultFile result;
   ResultHeader& h = result.header;
   source.state(scene, h);
   h.cell = where;
   h.view = center_view(where);
   how.record(h.options, seed());
+  if (loaded) simplified.state(*loaded, h.options);
 
   ProgressLine line;
   Context context = run.context;
   if (line.enabled()) context.on_progress = [&](const Progress& progress) { line.show(progress); };
   const PeakMemory peak;
-  CellSet set = how.answer(scene, where, seed(), context);
+  CellSet set = how.answer(scene, where, seed(), loaded ? &loaded->detail : nullptr, context);
   if (witness) {
     run.stage("verifying the witnesses");
     say(fmt::format("verified   {} witnesses, each against all {} triangles\n",
@@ -81,7 +86,7 @@ ResultFile CellCommand::query(const Scene& scene, const ViewCell& where, Run& ru
   set.set.stats.peak_bytes = peak.bytes();
   result.set = std::move(set.set);
   result.boundary = std::move(set.boundary);
-  result.counts = CellCounts{std::move(set.unwitnessed), set.bounds, set.offset};
+  result.counts = CellCounts{std::move(set.unwitnessed), set.bounds, set.offset, set.detail};
   return result;
 }
 
@@ -96,13 +101,13 @@ void CellCommand::run(Run& run) const {
     throw Error(Error::Code::usage, "--witness", "has no place with --method sampled: nothing is proven");
   run.context.threads = how.thread_count();
   const ViewCell where = cell();
+  simplified.validate(how.method);
   std::optional<Output> result_file, ids_file;
   if (!out.empty()) result_file.emplace(out);
   if (!ids.empty()) ids_file.emplace(ids);
 
   const Scene scene = source.load(run);
   warn_of_left_out(scene, source.file);
-  run.stage("computing what is visible");
   const ResultFile result = query(scene, where, run);
 
   run.stage("writing the result");
@@ -120,6 +125,7 @@ void CellCommand::add_to(CLI::App& command) {
   place.add_to(command);
   for (const char* option : {"--center", "--edge"}) command.get_option(option)->required();
   looking.add_to(command);
+  simplified.add_to(command);
   how.add_to(command);
   const char* output = "Output";
   command
@@ -151,7 +157,9 @@ void CellCommand::add_to(CLI::App& command) {
       "  provis cell town.glb --center 0,1.7,0 --edge 0.3\n"
       "  provis cell town.glb --center 0,1.7,0 --edge 1,0.5,1 --cos-size 128x128 --witness --out town.json\n"
       "  provis cell town.glb --center 0,1.7,0 --edge 0.3 --dir 0,0,-1 --method cos --cos-size 200x100 "
-      "--stats");
+      "--stats\n"
+      "  provis cell town.glb --center 0,1.7,0 --edge 0.3 --occluders inner.glb --shell outer.glb --objects "
+      "town.json");
 }
 
 }  // namespace

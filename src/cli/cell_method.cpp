@@ -71,8 +71,12 @@ void CellMethodOptions::record(std::map<std::string, std::string>& recorded, std
 }
 
 CellSet CellMethodOptions::answer(const Scene& scene, const ViewCell& cell, std::uint64_t seed,
-                                  const Context& context) const {
-  if (!sampled()) return visible_from_cell(scene, cell, options(seed), context);
+                                  const LevelOfDetail* detail, const Context& context) const {
+  if (!sampled()) {
+    CellOptions exact = options(seed);
+    exact.detail = detail;
+    return visible_from_cell(scene, cell, exact, context);
+  }
   const auto [width, height] = raster();
   return sampled_from_cell(scene, cell, grid_number(), {width, height}, context);
 }

@@ -30,7 +30,9 @@ struct CellMethodOptions {
   /// What can change the set.
   void record(std::map<std::string, std::string>& options, std::uint64_t seed) const;
 
-  CellSet answer(const Scene& scene, const ViewCell& cell, std::uint64_t seed, const Context& context) const;
+  /// detail: null for none.
+  CellSet answer(const Scene& scene, const ViewCell& cell, std::uint64_t seed, const LevelOfDetail* detail,
+                 const Context& context) const;
 
  private:
   bool sampled() const { return method == "sampled"; }

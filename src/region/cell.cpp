@@ -5,7 +5,10 @@
 
 #include "predicates/environment.hpp"
 #include "provis/error.hpp"
+#include "provis/level_of_detail.hpp"
 #include "provis/point.hpp"
+#include "src/lod/coarse_upper.hpp"
+#include "src/lod/parts.hpp"
 #include "src/offset/offset_space.hpp"
 #include "src/region/contact.hpp"
 #include "src/region/exact_samples.hpp"
@@ -35,6 +38,14 @@ void check(const CellOptions& o) {
   if (!in(o.directions, 0, most_directions)) refuse("directions", "0 to 256");
 }
 
+void check_detail(const Scene& scene, const CellOptions& o) {
+  if (!o.detail) return;
+  if (o.method != CellMethod::bounds && o.method != CellMethod::cos)
+    refuse("level of detail", "only 'bounds' and 'cos' have an upper set");
+  if (o.detail->parts().full->hash() != scene.hash())
+    refuse("level of detail", "it belongs to another scene");
+}
+
 /// One query on its way to the answer.
 class Query {
  public:
@@ -54,6 +65,7 @@ class Query {
   void settle_contacts();
   void find_lower();
   void find_upper();
+  offset::UpperSet upper_set(std::vector<char> wanted);
   void conclude();
   void take_samples();
   void count();
@@ -103,12 +115,22 @@ void Query::find_upper() {
   std::vector<char> wanted(scene_.primitive_count(), 0);
   for (PrimitiveId id = 0; id < wanted.size(); ++id)
     wanted[id] = contacts_[id] == Contact::apart && !lower_.holds(id);
-  const offset::UpperSet upper =
-      offset::reach(scene_, cell_, wanted, options_.pixels, options_.refinements, context_, meter_);
-  for (PrimitiveId id = 0; id < wanted.size(); ++id)
+  const offset::UpperSet upper = upper_set(std::move(wanted));
+  for (PrimitiveId id = 0; id < upper.reached.size(); ++id)
     result_.set.status[id] = upper.reached[id] ? Status::undecided : Status::hidden;
   result_.offset = upper.stats;
   result_.bounds.seconds_upper = stopwatch.seconds();
+}
+
+offset::UpperSet Query::upper_set(std::vector<char> wanted) {
+  if (!options_.detail)
+    return offset::reach(scene_, cell_, wanted, options_.pixels, options_.refinements, context_, meter_);
+  std::vector<char> seen(wanted.size(), 0);
+  for (PrimitiveId id = 0; id < seen.size(); ++id) seen[id] = lower_.holds(id);
+  lod::CoarseUpper upper = lod::reach(*options_.detail, cell_, {std::move(wanted), std::move(seen)},
+                                      options_.pixels, options_.refinements, context_, meter_);
+  result_.detail = upper.counts;
+  return {std::move(upper.reached), upper.stats};
 }
 
 /// What R9 settles, then what has a witness.
@@ -263,6 +285,7 @@ CellSet visible_from_cell(const Scene& scene, const ViewCell& cell, const CellOp
   check(options);
   check_environment();
   require_triangles(scene, "cell queries");
+  check_detail(scene, options);
   if (cell.lower == cell.upper && options.method != CellMethod::cos_exact)
     return from_point(scene, cell, context);
   return Query(scene, cell, options, context).answer();

@@ -4,7 +4,10 @@
 
 namespace provis {
 
-std::vector<CellCount> counts_of(BoundStats& b, OffsetStats& o) {
+std::vector<CellCount> counts_of(CellCounts& counts) {
+  BoundStats& b = counts.bounds;
+  OffsetStats& o = counts.offset;
+  DetailStats& d = counts.detail;
   return {{"touching", &b.touching},
           {"viewpoints", &b.viewpoints},
           {"paths", &b.paths},
@@ -29,22 +32,33 @@ std::vector<CellCount> counts_of(BoundStats& b, OffsetStats& o) {
           {"kept_too_many", &o.kept_too_many},
           {"facing_unknown", &o.facing_unknown},
           {"signs_interval", &o.signs_interval},
-          {"signs_exact", &o.signs_exact}};
+          {"signs_exact", &o.signs_exact},
+          {"detail_objects", &d.objects},
+          {"detail_candidates", &d.candidates},
+          {"detail_whole", &d.whole},
+          {"detail_dropped", &d.dropped},
+          {"detail_triangles", &d.triangles}};
 }
 
-std::vector<CellSeconds> seconds_of(BoundStats& b, OffsetStats& o) {
-  return {{"viewpoints", &b.seconds_viewpoints}, {"paths", &b.seconds_paths},
-          {"samples", &b.seconds_samples},       {"upper", &b.seconds_upper},
-          {"build", &o.seconds_build},           {"lists", &o.seconds_lists},
-          {"early_z", &o.seconds_early_z},       {"resolve", &o.seconds_resolve}};
+std::vector<CellSeconds> seconds_of(CellCounts& counts) {
+  BoundStats& b = counts.bounds;
+  OffsetStats& o = counts.offset;
+  return {{"viewpoints", &b.seconds_viewpoints},
+          {"paths", &b.seconds_paths},
+          {"samples", &b.seconds_samples},
+          {"upper", &b.seconds_upper},
+          {"verification", &counts.detail.seconds_verification},
+          {"build", &o.seconds_build},
+          {"lists", &o.seconds_lists},
+          {"early_z", &o.seconds_early_z},
+          {"resolve", &o.seconds_resolve}};
 }
 
 std::string cell_table(CellCounts counts) {
   std::string text;
-  for (const CellCount& c : counts_of(counts.bounds, counts.offset))
-    text += fmt::format("{:<22}{:>14}\n", c.name, *c.value);
+  for (const CellCount& c : counts_of(counts)) text += fmt::format("{:<22}{:>14}\n", c.name, *c.value);
   text += fmt::format("{:<22}{:>14.2f}\n", "list_average", counts.offset.list_average());
-  for (const CellSeconds& s : seconds_of(counts.bounds, counts.offset))
+  for (const CellSeconds& s : seconds_of(counts))
     text += fmt::format("{:<22}{:>14.3f} s\n", s.name, *s.value);
   return text;
 }

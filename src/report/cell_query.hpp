@@ -15,15 +15,15 @@ struct CellCount {
 };
 
 /// All counters that are the same for any number of threads.
-std::vector<CellCount> counts_of(BoundStats& bounds, OffsetStats& offset);
+std::vector<CellCount> counts_of(CellCounts& counts);
 
 struct CellSeconds {
   std::string_view name;
   double* value;
 };
 
-/// What each stage took: wall clock down to "upper", then of all threads.
-std::vector<CellSeconds> seconds_of(BoundStats& bounds, OffsetStats& offset);
+/// What each stage took: wall clock down to "verification", then of all threads.
+std::vector<CellSeconds> seconds_of(CellCounts& counts);
 
 /// One counter or time per line.
 std::string cell_table(CellCounts counts);

@@ -106,12 +106,12 @@ CellCounts counts(const JsonNode& root, std::size_t primitives) {
   result.unwitnessed = ascending_ids(root.member("unwitnessed"), primitives);
   const JsonNode node = root.member("stages");
   // A counter that did not exist when the file was written counted nothing.
-  for (const CellCount& c : counts_of(result.bounds, result.offset))
+  for (const CellCount& c : counts_of(result))
     if (node.has(c.name)) *c.value = node.member(c.name).natural();
   const JsonNode stats = root.member("stats");
   if (!stats.has("stages")) return result;
-  for (const CellSeconds& s : seconds_of(result.bounds, result.offset))
-    *s.value = stats.member("stages").member(s.name).number();
+  for (const CellSeconds& s : seconds_of(result))
+    if (stats.member("stages").has(s.name)) *s.value = stats.member("stages").member(s.name).number();
   return result;
 }
 

@@ -108,15 +108,14 @@ Json segment_json(const SegmentQuery& segments) {
 
 Json counts_json(CellCounts counts) {
   Json all = Json::object();
-  for (const CellCount& c : counts_of(counts.bounds, counts.offset)) all[std::string(c.name)] = *c.value;
+  for (const CellCount& c : counts_of(counts)) all[std::string(c.name)] = *c.value;
   all["list_average"] = finite(counts.offset.list_average());
   return all;
 }
 
 Json seconds_json(CellCounts counts) {
   Json all = Json::object();
-  for (const CellSeconds& s : seconds_of(counts.bounds, counts.offset))
-    all[std::string(s.name)] = finite(*s.value);
+  for (const CellSeconds& s : seconds_of(counts)) all[std::string(s.name)] = finite(*s.value);
   return all;
 }
 

@@ -89,4 +89,10 @@ std::string scene_hash(const SceneArrays& arrays) {
   return digest.hex();
 }
 
+std::string bytes_hash(ByteSpan bytes) {
+  Digest digest;
+  digest.add_bytes(bytes.data(), bytes.size());
+  return digest.hex();
+}
+
 }  // namespace provis

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "provis/scene.hpp"
+#include "src/scene/file_bytes.hpp"
 
 namespace provis {
 
@@ -11,5 +12,8 @@ namespace provis {
 ///
 /// Cost:       O(V + F + S), streamed: no copy of the arrays
 std::string scene_hash(const SceneArrays& arrays);
+
+/// The same of the bytes of a file.
+std::string bytes_hash(ByteSpan bytes);
 
 }  // namespace provis

@@ -1,4 +1,4 @@
-#include "src/certify/box_tree.hpp"
+#include "src/scene/box_tree.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -16,6 +16,12 @@ Vec3d upper(const Vec3d& a, const Vec3d& b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
+std::vector<PrimitiveId> all_triangles(const Scene& scene) {
+  std::vector<PrimitiveId> all(scene.triangles().size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
 Box join(const Box& a, const Box& b) { return {lower(a.lower, b.lower), upper(a.upper, b.upper)}; }
 
 double middle(const Box& b, int axis) {
@@ -31,16 +37,22 @@ int longest_axis(const Box& b) {
 
 }  // namespace
 
-BoxTree::BoxTree(const Scene& scene) : order_(scene.triangles().size()) {
+Box box_around(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return {lower(lower(a, b), c), upper(upper(a, b), c)};
+}
+
+BoxTree::BoxTree(const Scene& scene) : BoxTree(scene, all_triangles(scene)) {}
+
+BoxTree::BoxTree(const Scene& scene, std::span<const PrimitiveId> triangles) : order_(triangles.size()) {
   std::vector<Box> boxes(order_.size());
-  for (std::size_t t = 0; t < boxes.size(); ++t) {
-    const Vec3d &a = scene.corner(t, 0), &b = scene.corner(t, 1), &c = scene.corner(t, 2);
-    boxes[t] = {lower(lower(a, b), c), upper(upper(a, b), c)};
-  }
+  for (std::size_t k = 0; k < boxes.size(); ++k)
+    boxes[k] = box_around(scene.corner(triangles[k], 0), scene.corner(triangles[k], 1),
+                          scene.corner(triangles[k], 2));
   std::iota(order_.begin(), order_.end(), 0u);
   if (order_.empty()) return;
   nodes_.emplace_back();
   build(boxes, 0, 0, static_cast<std::uint32_t>(order_.size()));
+  for (std::uint32_t& k : order_) k = triangles[k];
 }
 
 /// Halves at the median, so the depth stays below 32 and the traversal's stack below 64.

@@ -1,8 +1,9 @@
 #pragma once
-// A tree of boxes around the triangles of a scene. The boxes are exact: corners are input numbers.
+// A tree of boxes around triangles of a scene. The boxes are exact: corners are input numbers.
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "provis/scene.hpp"
@@ -13,9 +14,20 @@ struct Box {
   Vec3d lower, upper;
 };
 
+Box box_around(const Vec3d& a, const Vec3d& b, const Vec3d& c);
+
+/// Whether two closed boxes have a common point.
+inline bool meet(const Box& a, const Box& b) {
+  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
+         b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
+}
+
 class BoxTree {
  public:
   explicit BoxTree(const Scene& scene);
+
+  /// Of these triangles only; visits name them by their ids in the scene.
+  BoxTree(const Scene& scene, std::span<const PrimitiveId> triangles);
 
   /// Calls visit(triangle) for every triangle below boxes that may_meet accepts, until visit returns true.
   /// Returns whether it did.
