@@ -47,7 +47,8 @@ struct CellOptions {
   int viewpoints = 32;   ///< lower set: exact sets from so many points besides corners and centre, 0 to 65536
   int directions = 4;    ///< lower set: directions^2 exact samples of the offset space per face, 0 to 256
   int path_pixels = 16;  ///< lower set: along edges and diagonals, pixels each way of each frame, 0 to 1024
-  std::uint64_t seed = 1;  ///< of the viewpoints
+  int rays = 64;  ///< bounds: random rays aimed at each primitive that is undecided after all else, 0 to 10^6
+  std::uint64_t seed = 1;  ///< of the viewpoints and rays
   /// bounds and cos: the upper set is found with it instead of the scene itself. Of this very scene; outlives
   /// the query
   const LevelOfDetail* detail = nullptr;
@@ -90,12 +91,14 @@ struct BoundStats {
   std::uint64_t viewpoints = 0;  ///< from sampled viewpoints
   std::uint64_t paths = 0;       ///< along edges and diagonals of the cell (R10°)
   std::uint64_t samples = 0;     ///< at samples of the camera offset space (R10°)
+  std::uint64_t rays = 0;        ///< by random rays, after all else
   std::uint64_t boundary = 0;    ///< shown by samples (R10) without a proof
   std::uint64_t undecided = 0;   ///< in the upper set only
   std::uint64_t hidden = 0;
   std::uint64_t unwitnessed = 0;  ///< of `touching`: visible by rule, and no witness was found
   std::uint64_t viewpoints_used = 0, paths_used = 0, samples_used = 0;
-  double seconds_viewpoints = 0, seconds_paths = 0, seconds_samples = 0, seconds_upper = 0;  ///< wall clock
+  // Wall clock:
+  double seconds_viewpoints = 0, seconds_paths = 0, seconds_samples = 0, seconds_upper = 0, seconds_rays = 0;
 };
 
 /// What a level of detail did; zero without one. All objects but the candidates are hidden.

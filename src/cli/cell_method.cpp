@@ -10,7 +10,8 @@ namespace provis {
 namespace {
 
 constexpr std::uint64_t most_threads = 4096, most_viewpoints = 65536, most_directions = 256,
-                        most_path_pixels = 1024, most_refinements = 32, most_per_axis = 100;
+                        most_path_pixels = 1024, most_refinements = 32, most_per_axis = 100,
+                        most_rays = 1'000'000;
 
 int whole(const char* option, const std::string& text, std::uint64_t least, std::uint64_t most) {
   return static_cast<int>(parse_whole(option, text, least, most));
@@ -50,6 +51,7 @@ CellOptions CellMethodOptions::options(std::uint64_t seed) const {
   o.viewpoints = whole("--viewpoints", viewpoints, 0, most_viewpoints);
   o.path_pixels = whole("--path-pixels", path_pixels, 0, most_path_pixels);
   o.directions = whole("--directions", directions, 0, most_directions);
+  o.rays = whole("--rays", rays, 0, most_rays);
   o.seed = seed;
   return o;
 }
@@ -67,6 +69,7 @@ void CellMethodOptions::record(std::map<std::string, std::string>& recorded, std
   recorded["viewpoints"] = viewpoints;
   recorded["path-pixels"] = path_pixels;
   recorded["sample-directions"] = directions;
+  recorded["rays"] = rays;
   recorded["viewpoint-seed"] = std::to_string(seed);
 }
 
@@ -104,6 +107,9 @@ void CellMethodOptions::add_to(CLI::App& command) {
   add("--directions", directions, "N",
       "Exact samples of the camera offset space for 'bounds' and 'lower', N^2 for each face of the cell, "
       "0 to 256 [4]");
+  add("--rays", rays, "N",
+      "For 'bounds': random rays aimed at each primitive that is undecided after all else, 0 to 1000000 "
+      "[64]");
   add("--grid", grid, "N", "With --method sampled: N viewpoints along each axis, N^3 in all, 1 to 100 [6]");
   add("--size", size, "WxH",
       "With --method sampled: pixels of each of six frames, or of the one with --dir [800x800]");

@@ -15,7 +15,7 @@ namespace provis {
 
 struct CellMethodOptions {
   std::string method = "bounds", cos_size = "32x32", refinements = "8", viewpoints = "32", path_pixels = "16",
-              directions = "4", size, grid, threads = "0";
+              directions = "4", rays = "64", size, grid, threads = "0";
 
   void add_to(CLI::App& command);
 

@@ -5,6 +5,7 @@
 
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/scene/random.hpp"
 
 namespace provis {
 
@@ -15,25 +16,6 @@ constexpr std::uint64_t most_runs = 10000;
 [[noreturn]] void refuse(const std::string& option, const std::string& what) {
   throw Error(Error::Code::usage, option, what);
 }
-
-/// Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014 (splitmix64).
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-
-  /// [-1, 1)
-  double signed_unit() { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; }
-
- private:
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-
-  std::uint64_t state_;
-};
 
 /// The columns of a rotation, from a quaternion that is uniform on the sphere: no function but the square
 /// root, which every machine rounds alike.

@@ -22,7 +22,8 @@
 namespace provis {
 namespace {
 
-constexpr int most_pixels = 1024, most_viewpoints = 65536, most_directions = 256, most_refinements = 32;
+constexpr int most_pixels = 1024, most_viewpoints = 65536, most_directions = 256, most_refinements = 32,
+              most_rays = 1'000'000;
 
 [[noreturn]] void refuse(const char* place, const char* what) {
   throw Error(Error::Code::usage, place, what);
@@ -36,6 +37,7 @@ void check(const CellOptions& o) {
   if (!in(o.viewpoints, 0, most_viewpoints)) refuse("viewpoints", "0 to 65536");
   if (!in(o.path_pixels, 0, most_pixels)) refuse("path-pixels", "0 to 1024");
   if (!in(o.directions, 0, most_directions)) refuse("directions", "0 to 256");
+  if (!in(o.rays, 0, most_rays)) refuse("rays", "0 to 1000000");
 }
 
 void check_detail(const Scene& scene, const CellOptions& o) {
@@ -55,7 +57,7 @@ class Query {
         options_(options),
         context_(context),
         lower_(scene, cell, context),
-        meter_(context, options.method == CellMethod::bounds  ? 4
+        meter_(context, options.method == CellMethod::bounds  ? 5
                         : options.method == CellMethod::lower ? 3
                                                               : 1) {}
 
@@ -66,6 +68,7 @@ class Query {
   void find_lower();
   void find_upper();
   offset::UpperSet upper_set(std::vector<char> wanted);
+  void aim_at_undecided();
   void conclude();
   void take_samples();
   void count();
@@ -75,7 +78,7 @@ class Query {
   const CellOptions& options_;
   const Context& context_;
   LowerSet lower_;
-  ProgressMeter meter_;  ///< one for viewpoints, paths, samples and the offset space each
+  ProgressMeter meter_;  ///< one for viewpoints, paths, samples, the offset space and rays each
   std::vector<Contact> contacts_;
   CellSet result_;
 };
@@ -131,6 +134,15 @@ offset::UpperSet Query::upper_set(std::vector<char> wanted) {
                                       options_.pixels, options_.refinements, context_, meter_);
   result_.detail = upper.counts;
   return {std::move(upper.reached), upper.stats};
+}
+
+/// What is not proven hidden may just not have been found.
+void Query::aim_at_undecided() {
+  const Stopwatch stopwatch;
+  const std::vector<PrimitiveId> open = result_.set.with(Status::undecided);
+  BoundStats& b = result_.bounds;
+  b.rays = lower_.aim_at(open, options_.rays, options_.seed, context_, meter_);
+  b.seconds_rays = stopwatch.seconds();
 }
 
 /// What R9 settles, then what has a witness.
@@ -215,6 +227,7 @@ CellSet Query::answer() {
     settle_contacts();
     if (options_.method != CellMethod::cos) find_lower();
     if (options_.method != CellMethod::lower) find_upper();
+    if (options_.method == CellMethod::bounds) aim_at_undecided();
     conclude();
   }
   result_.set.stats.threads = thread_count(context_);

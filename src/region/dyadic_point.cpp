@@ -3,6 +3,8 @@
 #include <CGAL/Gmpq.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace provis {
@@ -32,6 +34,14 @@ bool certainly_beyond(const Bounds& p, double a, double b, double c) {
 }
 
 }  // namespace
+
+Dyadic dyadic(double x) {
+  int exponent = 0;
+  const double share = std::frexp(x, &exponent);  // of 53 bits
+  return {std::to_string(static_cast<long long>(std::ldexp(share, 53))), exponent - 53};
+}
+
+Vec3<Dyadic> dyadic(const Vec3d& p) { return {dyadic(p.x), dyadic(p.y), dyadic(p.z)}; }
 
 struct DyadicPoint::Numbers {
   Point exact;

@@ -9,8 +9,10 @@
 #include "src/region/cell_paths.hpp"
 #include "src/region/dyadic_point.hpp"
 #include "src/region/face_parts.hpp"
+#include "src/region/random_rays.hpp"
 #include "src/region/samples.hpp"
 #include "src/scene/on_occluder.hpp"
+#include "src/scene/parallel.hpp"
 
 namespace provis {
 
@@ -80,6 +82,20 @@ std::vector<Vec3d> LowerSet::sample_directions(const Face& face, int count) cons
   for (const offset::Raster& r : offset::rasters_of(cell_, face, {count, count}))
     for (const Vec3d& d : pixel_directions(face, r)) all.push_back(d);
   return all;
+}
+
+std::uint64_t LowerSet::aim_at(const std::vector<PrimitiveId>& ids, int rays, std::uint64_t seed,
+                               const Context& context, ProgressMeter& meter) {
+  const RandomRays random(scene_, cell_);
+  on_threads(context, [&] {
+    parallel_for(ids.size(), [&](std::size_t k) {
+      if (context.cancelled()) throw Error(Error::Code::cancelled, "cell", "interrupted");
+      witnesses_[ids[k]] = random.aim_at(ids[k], rays, seed);
+      meter.add(1 / static_cast<double>(ids.size()));
+    });
+  });
+  return static_cast<std::uint64_t>(
+      std::count_if(ids.begin(), ids.end(), [&](PrimitiveId id) { return holds(id); }));
 }
 
 bool LowerSet::look_at_contact(PrimitiveId id) {

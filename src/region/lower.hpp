@@ -38,6 +38,10 @@ class LowerSet {
   /// their points (R10°). Returns how many primitives are new; counts the samples taken.
   std::uint64_t look_along(int directions, std::uint64_t& samples, ProgressMeter& meter);
 
+  /// So many random rays at each of these (random_rays.hpp). Returns how many primitives are new.
+  std::uint64_t aim_at(const std::vector<PrimitiveId>& ids, int rays, std::uint64_t seed,
+                       const Context& context, ProgressMeter& meter);
+
   /// Looks at one triangle from close by. Returns whether it was seen.
   bool look_at_contact(PrimitiveId id);
 

@@ -119,12 +119,14 @@ std::string cell_text(const CellCounts& counts, Guarantee guarantee) {
           : fmt::format("objects    {} of {} hidden; the cell reaches into {}, occluders of {} dropped\n",
                         d.objects - d.candidates, d.objects, d.whole, d.dropped);
   return fmt::format(
-             "proven by  {} from {} viewpoints, then {} along {} paths, then {} at {} samples; {} meet the "
+             "proven by  {} from {} viewpoints, then {} along {} paths, then {} at {} samples, {} by rays; "
+             "{} meet the "
              "cell, {} "
              "without a witness\n"
              "offsets    {} lists, {} entries, {:.4g} on average, at most {}; {} refinements\n",
-             b.viewpoints, b.viewpoints_used, b.paths, b.paths_used, b.samples, b.samples_used, b.touching,
-             counts.unwitnessed.size(), o.lists, o.list_entries, o.list_average(), o.list_most, o.refined) +
+             b.viewpoints, b.viewpoints_used, b.paths, b.paths_used, b.samples, b.samples_used, b.rays,
+             b.touching, counts.unwitnessed.size(), o.lists, o.list_entries, o.list_average(), o.list_most,
+             o.refined) +
          detail;
 }
 
