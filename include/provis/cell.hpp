@@ -132,7 +132,7 @@ struct CellSet {
 ///             is visible along the direction through the centre of a pixel, of any raster of any face, from
 ///             an open set of the face's points
 /// Error:      none: float64 coordinates are taken as exact
-/// Requires:   check(cell) passes
+/// Requires:   check(cell) passes; options.detail, where there is one, and its scenes are alive
 /// Degenerate: triangles that meet the cell's interior, or overlap a face, are visible from the side they
 ///             have; coincident triangles are all visible; a cell of one point answers as visible_from_point.
 ///             cos_exact: only what lies beyond a face counts, and an occluder in its plane hides nothing

@@ -118,7 +118,6 @@ Sign ExactRay::compare(const Scene& scene, std::size_t first, std::size_t second
 bool ExactRay::may_meet(const Box& box) const { return ray_may_meet(origin_bounds_, direction_bounds_, box); }
 
 bool passes_window(const ViewGeometry& g, const Window& w, const Vec3<ExactNumber>& ray) {
-  using N = ExactNumber;
   const auto side = [&](const Vec3<N>& line) { return sign_of(dot(line, ray)) * g.handedness; };
   return side(image_side<N>(g)) == Sign::positive && side(x_border<N>(g, w.x0)) != Sign::negative &&
          side(x_border<N>(g, w.x1)) != Sign::positive && side(y_border<N>(g, w.y0)) != Sign::negative &&

@@ -12,18 +12,8 @@
 namespace provis::lod {
 namespace {
 
+/// How a ray crosses a triangle beyond its origin; unclear where it meets the border or runs along the plane.
 enum class Crossing { none, outwards, inwards, unclear };
-
-/// How a ray crosses a triangle, if at all, beyond its origin; unclear where it meets the border or runs
-/// along the plane.
-Crossing crossing(const Sign (&passes)[3], Sign along, Sign reach) {
-  const auto has = [&](Sign s) { return passes[0] == s || passes[1] == s || passes[2] == s; };
-  if (has(Sign::positive) && has(Sign::negative)) return Crossing::none;
-  if (along == Sign::zero) return reach == Sign::zero ? Crossing::unclear : Crossing::none;
-  if (reach != along) return Crossing::none;
-  if (has(Sign::zero)) return Crossing::unclear;
-  return along == Sign::positive ? Crossing::outwards : Crossing::inwards;
-}
 
 /// A ray of a rational origin and a float64 direction.
 class Ray {
@@ -50,13 +40,18 @@ class Ray {
       if (!exact) exact = ray_hit(origin_, direction_, a, b, c);
       return sign_of(part(*exact));
     };
-    const auto pass = [&](int k) {
-      return sign(i.passes[k], [k](const RayHit<Rational>& h) { return h.passes[k]; });
-    };
     const Sign along = sign(i.along, [](const RayHit<Rational>& h) { return h.along; });
-    const Sign reach = sign(i.reach, [](const RayHit<Rational>& h) { return h.reach; });
-    if (along != Sign::zero && reach != along) return Crossing::none;
-    return crossing({pass(0), pass(1), pass(2)}, along, reach);
+    // Behind the origin, at it, or in a plane beside it.
+    if (sign(i.reach, [](const RayHit<Rational>& h) { return h.reach; }) != along) return Crossing::none;
+    bool border = false, inside = true;
+    for (int k = 0; k < 3; ++k) {
+      const Sign pass = sign(i.passes[k], [k](const RayHit<Rational>& h) { return h.passes[k]; });
+      border = border || pass == Sign::zero;
+      inside = inside && pass * along != Sign::negative;
+    }
+    if (!inside) return Crossing::none;
+    if (border) return Crossing::unclear;
+    return along == Sign::positive ? Crossing::outwards : Crossing::inwards;
   }
 
  private:
@@ -64,7 +59,7 @@ class Ray {
   Vec3<Interval> origin_bounds_, direction_bounds_;
 };
 
-/// The k-th of a sequence that has directions in every open cone: short numbers, so that exact products are.
+/// The k-th of a fixed sequence without order. Its numbers are short, so that exact products are.
 Vec3d direction(std::uint64_t k) {
   std::uint64_t state = k;
   const auto next = [&] {

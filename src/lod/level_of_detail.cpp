@@ -8,6 +8,7 @@
 #include "predicates/zero_area.hpp"
 #include "provis/error.hpp"
 #include "src/lod/open_edge.hpp"
+#include "src/lod/ownership.hpp"
 #include "src/lod/parts.hpp"
 #include "src/lod/solid.hpp"
 #include "src/scene/parallel.hpp"
@@ -18,63 +19,10 @@ namespace {
 
 using lod::Chain;
 using lod::Object;
-
-[[noreturn]] void refuse(const std::string& file, const std::string& object, const std::string& what) {
-  throw Error(Error::Code::invalid_input, fmt::format("{}: object \"{}\"", file, object), what);
-}
+using lod::Ownership;
+using lod::refuse;
 
 std::string text(const Vec3d& p) { return fmt::format("{},{},{}", p.x, p.y, p.z); }
-
-/// Which object each primitive of one scene belongs to.
-class Ownership {
- public:
-  Ownership(const DetailScene& scene, const std::vector<DetailObject>& objects)
-      : scene_(scene), objects_(objects), owner_(scene.scene->primitive_count(), lod::no_object) {
-    if (!scene.scene->spheres().empty())
-      throw Error(Error::Code::unsupported, scene.file,
-                  fmt::format("spheres have no level of detail: {} of them", scene.scene->spheres().size()));
-  }
-
-  /// The ids of one object, ascending.
-  std::vector<PrimitiveId> take(std::uint32_t object, const std::vector<IdRange>& ranges);
-
-  /// Throws where a primitive belongs to nobody.
-  void require_all() const;
-
-  std::vector<std::uint32_t> owners() && { return std::move(owner_); }
-
- private:
-  const DetailScene& scene_;
-  const std::vector<DetailObject>& objects_;
-  std::vector<std::uint32_t> owner_;
-};
-
-std::vector<PrimitiveId> Ownership::take(std::uint32_t object, const std::vector<IdRange>& ranges) {
-  const std::string& name = objects_[object].name;
-  std::vector<PrimitiveId> ids;
-  for (const auto& [first, last] : ranges) {
-    if (first > last || last >= owner_.size())
-      refuse(scene_.file, name,
-             fmt::format("ids {}-{} in a scene of {} primitives", first, last, owner_.size()));
-    for (PrimitiveId id = first; id <= last; ++id) {
-      if (owner_[id] == object) refuse(scene_.file, name, fmt::format("id {} is listed twice", id));
-      if (owner_[id] != lod::no_object)
-        refuse(scene_.file, name,
-               fmt::format("id {} belongs to object \"{}\" too", id, objects_[owner_[id]].name));
-      owner_[id] = object;
-      ids.push_back(id);
-    }
-  }
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
-
-void Ownership::require_all() const {
-  const auto found = std::find(owner_.begin(), owner_.end(), lod::no_object);
-  if (found != owner_.end())
-    throw Error(Error::Code::invalid_input, scene_.file,
-                fmt::format("id {} belongs to no object", found - owner_.begin()));
-}
 
 /// The three scenes while they are checked.
 class Verifier {

@@ -6,6 +6,7 @@
 
 #include "provis/result_file.hpp"
 #include "tests/cli/child.hpp"
+#include "tests/lod/solids.hpp"
 #include "tests/report/schema.hpp"
 #include "tests/scene/files.hpp"
 #include "tests/scene/gltf_builder.hpp"
@@ -15,35 +16,17 @@ using namespace provis::test;
 
 namespace {
 
-struct Box {
-  Vec3d lower, upper;
-};
-
-/// Twelve triangles each, fronts outside.
-SceneArrays boxes(const std::vector<Box>& all) {
+/// Twelve triangles each.
+SceneArrays boxes(const std::vector<SolidBox>& all) {
   SceneArrays scene;
-  for (const auto& [lo, hi] : all) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    for (int k = 0; k < 8; ++k)
-      scene.vertices.push_back({k & 1 ? hi.x : lo.x, k & 2 ? hi.y : lo.y, k & 4 ? hi.z : lo.z});
-    for (const auto& [a, b, c, d] : {std::array{0u, 2u, 3u, 1u},
-                                     {4u, 5u, 7u, 6u},
-                                     {0u, 1u, 5u, 4u},
-                                     {2u, 6u, 7u, 3u},
-                                     {0u, 4u, 6u, 2u},
-                                     {1u, 3u, 7u, 5u}}) {
-      scene.triangles.push_back({first + a, first + b, first + c});
-      scene.triangles.push_back({first + a, first + c, first + d});
-    }
-  }
-  scene.triangle_flags.assign(scene.triangles.size(), 0);
+  for (const SolidBox& box : all) add(scene, box_solid(box), 0);
   return scene;
 }
 
-const Box wall{{-8, -8, -5}, {8, 8, -4}}, urn{{-1, -1, -9}, {1, 1, -7}};
+const SolidBox wall{{-8, -8, -5}, {8, 8, -4}}, urn{{-1, -1, -9}, {1, 1, -7}};
 
 /// Each box as a node of this name.
-std::string gltf(const std::vector<std::pair<std::string, Box>>& nodes) {
+std::string gltf(const std::vector<std::pair<std::string, SolidBox>>& nodes) {
   GltfBuilder builder;
   for (const auto& [name, box] : nodes) {
     const SceneArrays scene = boxes({box});
@@ -70,7 +53,7 @@ struct DetailRun {
                                   {"name": "urn", "full": [[12, 23]], "shell": [[12, 23]]}])");
 
   std::string path(const std::string& name) const { return (directory.path() / name).string(); }
-  std::string write(const std::string& name, const std::vector<Box>& all) const {
+  std::string write(const std::string& name, const std::vector<SolidBox>& all) const {
     export_ply(Scene(boxes(all)), path(name));
     return path(name);
   }

@@ -162,6 +162,37 @@ TEST_CASE("a triangle is inside of a solid iff all its points are") {
   }
 }
 
+TEST_CASE("a ray through corners, along edges and in faces is no ray to count by") {
+  const auto winding = [](const Soup& soup, const Vec3d& p) {
+    const RoundUp guard;
+    SceneArrays arrays;
+    add(arrays, soup, 0);
+    const Scene scene(arrays);
+    return lod::Chain(scene, all_ids(scene)).winding(numbers<lod::Rational>(p));
+  };
+  // The first direction that is tried, from anywhere.
+  const Vec3d d = winding(octahedron({0, 0, 0}, 1), {5, 5, 5}).direction;
+  const auto ends = [](double x) { return std::pair(std::min(x, -1.0), std::max(x, 1.0)); };
+  const auto [x0, x1] = ends(d.x);
+  const auto [y0, y1] = ends(d.y);
+  const auto [z0, z1] = ends(d.z);
+  const double far = 0x1p22;
+  for (const SolidBox& box : {SolidBox{{x0, y0, z0}, {x1, y1, z1}}, {{x0, y0, -far}, {x1, y1, far}}}) {
+    for (const Soup& soup : {box_solid(box), reversed(box_solid(box))}) {
+      const lod::Winding w = winding(soup, {0, 0, 0});
+      CHECK(std::abs(w.number) == 1);
+      CHECK(w.direction != d);
+    }
+  }
+  // A corner of something else on the way, then a face in the plane of the ray, then an edge along it.
+  CHECK(winding(octahedron(d + Vec3d{16, 0, 0}, 16), {0, 0, 0}).number == 0);
+  const Vec3d aside{1, 2, -4}, over{-2, 1, 8};
+  for (const Vec3d& start : {d, d + aside, d - aside}) {
+    const Vec3d a = start, b = start + d, c = start + aside, e = start + over;
+    CHECK(winding({{a, b, c}, {a, c, e}, {c, b, e}, {b, a, e}}, {0, 0, 0}).number == 0);
+  }
+}
+
 TEST_CASE("a surface is open where an edge lacks its neighbour, and nowhere else") {
   for (const std::uint64_t seed : seeds(2)) {
     Random random(seed);
