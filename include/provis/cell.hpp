@@ -41,9 +41,9 @@ enum class CellMethod {
 
 struct CellOptions {
   CellMethod method = CellMethod::bounds;
-  PixelGrid pixels{32, 32};  ///< of each raster of a face's hemicube; 1 to 1024 each way. cos_exact: one
-                             ///< sample in the centre of each
-  int refinements = 8;       ///< halvings of a pixel's rays where a triangle is left undecided, 0 to 32
+  PixelGrid pixels{200, 100};  ///< of each raster of a face's hemicube; 1 to 1024 each way. cos_exact: one
+                               ///< sample in the centre of each, so that 32x32 are many
+  int refinements = 8;         ///< halvings of a pixel's rays where a triangle is left undecided, 0 to 32
   int viewpoints = 32;   ///< lower set: exact sets from so many points besides corners and centre, 0 to 65536
   int directions = 4;    ///< lower set: directions^2 exact samples of the offset space per face, 0 to 256
   int path_pixels = 16;  ///< lower set: along edges and diagonals, pixels each way of each frame, 0 to 1024

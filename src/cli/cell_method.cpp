@@ -30,8 +30,14 @@ void CellMethodOptions::validate() const {
 
 int CellMethodOptions::thread_count() const { return whole("--threads", threads, 0, most_threads); }
 
+/// Each pixel of cos-exact is a query of its own.
+std::string CellMethodOptions::cos_size_or_usual() const {
+  if (!cos_size.empty()) return cos_size;
+  return method == "cos-exact" ? "32x32" : "200x100";
+}
+
 std::array<int, 2> CellMethodOptions::raster() const {
-  if (!sampled()) return parse_size("--cos-size", cos_size);
+  if (!sampled()) return parse_size("--cos-size", cos_size_or_usual());
   return size.empty() ? std::array{800, 800} : parse_size("--size", size);
 }
 
@@ -45,7 +51,7 @@ CellOptions CellMethodOptions::options(std::uint64_t seed) const {
              : method == "cos"       ? CellMethod::cos
              : method == "cos-exact" ? CellMethod::cos_exact
                                      : CellMethod::bounds;
-  const auto [width, height] = parse_size("--cos-size", cos_size);
+  const auto [width, height] = parse_size("--cos-size", cos_size_or_usual());
   o.pixels = {width, height};
   o.refinements = whole("--refinements", refinements, 0, most_refinements);
   o.viewpoints = whole("--viewpoints", viewpoints, 0, most_viewpoints);
@@ -64,7 +70,7 @@ void CellMethodOptions::record(std::map<std::string, std::string>& recorded, std
     recorded["grid"] = std::to_string(grid_number());
     return;
   }
-  recorded["cos-size"] = cos_size;
+  recorded["cos-size"] = cos_size_or_usual();
   recorded["refinements"] = refinements;
   recorded["viewpoints"] = viewpoints;
   recorded["path-pixels"] = path_pixels;
@@ -96,7 +102,8 @@ void CellMethodOptions::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"bounds", "lower", "cos", "cos-exact", "sampled"}));
   add("--cos-size", cos_size, "WxH",
       "Pixels of each raster of the camera offset space, five around each face, one with --dir; at most "
-      "1024 each way: more hides more, and shows more with 'cos-exact' [32x32]");
+      "1024 each way: more hides more, and shows more with 'cos-exact' [200x100; 32x32 with "
+      "'cos-exact']");
   add("--refinements", refinements, "N",
       "How often the rays of a pixel are halved where a triangle stays undecided, 0 to 32 [8]");
   add("--viewpoints", viewpoints, "N",

@@ -14,7 +14,7 @@ class App;
 namespace provis {
 
 struct CellMethodOptions {
-  std::string method = "bounds", cos_size = "32x32", refinements = "8", viewpoints = "32", path_pixels = "16",
+  std::string method = "bounds", cos_size, refinements = "8", viewpoints = "32", path_pixels = "16",
               directions = "4", rays = "64", size, grid, threads = "0";
 
   void add_to(CLI::App& command);
@@ -36,6 +36,7 @@ struct CellMethodOptions {
 
  private:
   bool sampled() const { return method == "sampled"; }
+  std::string cos_size_or_usual() const;
   CellOptions options(std::uint64_t seed) const;
   int grid_number() const;
 };

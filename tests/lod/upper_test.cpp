@@ -29,6 +29,7 @@ struct Loaded {
     o.viewpoints = 4;
     o.directions = 1;
     o.path_pixels = 2;
+    o.rays = 0;  // the lower set alone does not aim any
     if (simplified) o.detail = &detail;
     return visible_from_cell(full, cell, o, one_thread());
   }
