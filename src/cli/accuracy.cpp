@@ -12,6 +12,7 @@
 #include "src/cli/accuracy_ways.hpp"
 #include "src/cli/arguments.hpp"
 #include "src/cli/cell_place.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/path_options.hpp"
 #include "src/cli/run.hpp"
@@ -200,25 +201,20 @@ void AccuracyCommand::add_to(CLI::App& app) {
   view.add_to(app);
   path.add_paths_to(app);
   place.add_to(app);
-  const auto add = [&](const char* option, std::string& value, const char* type, const char* group,
-                       const char* help) {
-    app.add_option(option, value, help)->type_name(type)->group(group);
-  };
-  const char* computing = "How to compute";
-  add("--runs", runs, "N", computing,
+  const OptionGroup how(app, "How to compute");
+  how("--runs", runs, "N",
       "How often each way is run, 1 to 1000; the median counts, and least and most are told [3]");
-  add("--time-limit", time_limit, "S", computing,
+  how("--time-limit", time_limit, "S",
       "Seconds that one run may take, loading included; then it is ended and reported as timed out [60]");
-  add("--memory-limit", memory_limit, "N", computing,
+  how("--memory-limit", memory_limit, "N",
       "Bytes of data that one run may hold, or a number followed by K, M or G; 0 for no limit [half of the "
       "machine's memory]");
-  add("--threads", threads, "N", computing, "Threads of each run, 0 to 4096; 0 takes every core [0]");
-  const char* output = "Output";
-  add("--json", json, "FILE", output,
-      "Write all of it as JSON; '-' is standard output, instead of the table");
-  add("--picture", picture, "FILE.svg", output,
-      "Draw what is missed over the time that it takes, as SVG; '-' is standard output, instead of the "
-      "table");
+  how("--threads", threads, "N", "Threads of each run, 0 to 4096; 0 takes every core [0]");
+  const OptionGroup output(app, "Output");
+  output("--json", json, "FILE", "Write all of it as JSON; '-' is standard output, instead of the table");
+  output("--picture", picture, "FILE.svg",
+         "Draw what is missed over the time that it takes, as SVG; '-' is standard output, instead of the "
+         "table");
   app.footer(
       "The ways from a point: doubles, chain, mpfr and exact arithmetic; aggressive sampling; 1, 2x2, 4x4 "
       "...\n"

@@ -208,7 +208,7 @@ void Runner::compare_with_known() {
   for (Tally& tally : tallies_) {
     WayOutcome& o = tally.outcome;
     if (o.ending != Ending::done) continue;
-    if (!o.way.cell || o.way.proves_visible()) o.score = score(tally.status, known, {});
+    if (o.way.method == Method::sampled || o.way.proves_visible()) o.score = score(tally.status, known, {});
     if (o.way.proves_hidden()) o.excess = excess(tally.status, known);
   }
 }

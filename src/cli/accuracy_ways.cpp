@@ -13,6 +13,18 @@ constexpr int finest_samples = 256, most_viewpoints = 100'000, most_exact_viewpo
 constexpr Arithmetic policies[] = {Arithmetic::doubles, Arithmetic::chain, Arithmetic::mpfr,
                                    Arithmetic::exact};
 
+std::vector<std::string> options_of_cell(const Way& way) {
+  const std::string pixels = fmt::format("{}x{}", way.pixels.width, way.pixels.height);
+  if (!way.cell) return {"--method", "sampled", "--grid", std::to_string(way.samples), "--size", pixels};
+  if (way.cell == CellMethod::bounds) return {"--method", "bounds"};
+  if (way.cell == CellMethod::cos) return {"--method", "cos", "--cos-size", pixels};
+  std::vector<std::string> words = {"--method", "lower"};
+  if (way.viewpoints > 0)
+    words.insert(words.end(),
+                 {"--viewpoints", std::to_string(way.viewpoints), "--path-pixels", "0", "--directions", "0"});
+  return words;
+}
+
 }  // namespace
 
 std::vector<Way> point_ways() {
@@ -47,24 +59,8 @@ std::vector<Way> cell_ways(const PixelGrid& pixels) {
   return ways;
 }
 
-namespace {
-
-std::vector<std::string> options_of_cell(const Way& way) {
-  const std::string pixels = fmt::format("{}x{}", way.pixels.width, way.pixels.height);
-  if (!way.cell) return {"--method", "sampled", "--grid", std::to_string(way.samples), "--size", pixels};
-  if (way.cell == CellMethod::bounds) return {"--method", "bounds"};
-  if (way.cell == CellMethod::cos) return {"--method", "cos", "--cos-size", pixels};
-  std::vector<std::string> words = {"--method", "lower"};
-  if (way.viewpoints > 0)
-    words.insert(words.end(),
-                 {"--viewpoints", std::to_string(way.viewpoints), "--path-pixels", "0", "--directions", "0"});
-  return words;
-}
-
-}  // namespace
-
 std::vector<std::string> options_of(const Way& way) {
-  if (way.cell || way.pixels.width > 0) return options_of_cell(way);
+  if (way.from_cell()) return options_of_cell(way);
   if (way.viewpoints > 0) return {"--method", "sampled", "--viewpoints", std::to_string(way.viewpoints)};
   std::vector<std::string> words = {"--arithmetic", std::string(name(way.arithmetic))};
   if (way.plain) words.insert(words.end(), {"--engine", "plain"});

@@ -1,9 +1,8 @@
 #include "src/cli/cell_method.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/option_group.hpp"
 
 namespace provis {
 
@@ -91,9 +90,7 @@ CellSet CellMethodOptions::answer(const Scene& scene, const ViewCell& cell, std:
 }
 
 void CellMethodOptions::add_to(CLI::App& command) {
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
-    return command.add_option(name, value, help)->type_name(type)->group("How to compute");
-  };
+  const OptionGroup add(command, "How to compute");
   add("--method", method, "",
       "'bounds', what is proven visible and what is not proven hidden; 'lower', only what is proven "
       "visible; 'cos', what the camera offset space does not prove hidden; 'cos-exact', what its samples "

@@ -1,9 +1,8 @@
 #include "src/cli/cell_place.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/option_group.hpp"
 
 namespace provis {
 
@@ -25,10 +24,9 @@ ViewCell CellPlace::cell() const {
 }
 
 void CellPlace::add_to(CLI::App& command) {
-  command.add_option("--center", center, "Its middle, in scene units")->type_name("X,Y,Z")->group(group);
-  command.add_option("--edge", edge, "The length of its edges, or one for each axis; 0 makes it flat")
-      ->type_name("A[,B,C]")
-      ->group(group);
+  const OptionGroup add(command, group);
+  add("--center", center, "X,Y,Z", "Its middle, in scene units");
+  add("--edge", edge, "A[,B,C]", "The length of its edges, or one for each axis; 0 makes it flat");
 }
 
 }  // namespace provis

@@ -1,9 +1,8 @@
 #include "src/cli/detail_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "provis/error.hpp"
 #include "src/cli/object_map.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/cli/run.hpp"
 #include "src/scene/file_bytes.hpp"
 #include "src/scene/scene_hash.hpp"
@@ -31,17 +30,15 @@ std::string hash_of(const std::string& file) {
 }  // namespace
 
 void DetailOptions::add_to(CLI::App& command) {
-  const auto add = [&](const char* name, std::string& value, const char* help) {
-    command.add_option(name, value, help)->type_name("FILE")->group(group);
-  };
-  add("--occluders", occluders,
+  const OptionGroup add(command, group);
+  add("--occluders", occluders, "FILE",
       "A scene of simple meshes inside of the full ones, to hide with in their place; loaded with the "
       "options "
       "of the full scene, and verified exactly. With --shell and --objects");
-  add("--shell", shell,
+  add("--shell", shell, "FILE",
       "A scene of simple closed meshes around the full ones: what is behind the occluders with all of its "
       "shell is hidden");
-  add("--objects", objects,
+  add("--objects", objects, "FILE",
       "Which primitives of the three scenes are one object: JSON {\"format\": \"provis.objects\", "
       "\"version\": "
       "1, \"objects\": [{\"name\": \"urn\", \"full\": [\"urn\"], \"occluders\": [[0, 11]], \"shell\": [[12, "

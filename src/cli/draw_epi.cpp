@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/report/names.hpp"
 
 namespace provis {
@@ -78,9 +77,7 @@ Image EpiOptions::picture(const Scene& scene, const ResultFile& result, const st
 
 void EpiOptions::add_to(CLI::App& command) {
   const char* group = "A result along segments";
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
-    command.add_option(name, value, help)->type_name(type)->group(group);
-  };
+  const OptionGroup add(command, group);
   add("--epi", file, "FILE",
       "PNG to write: an epipolar-plane image, what one row of pixels sees over time. Columns are those of "
       "the "

@@ -1,10 +1,10 @@
 #include "src/cli/path_options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/scene/random.hpp"
 
 namespace provis {
@@ -54,7 +54,7 @@ std::array<Vec3d, 3> parse_rect(const std::string& text) {
 }  // namespace
 
 std::vector<Frame> turned_cube(std::uint64_t seed, std::uint64_t run) {
-  Random random(seed * 0x100000001b3u + run);
+  Random random(seed, run);
   const Rotation turn = random_rotation(random);
   std::vector<Frame> frames = omni({0, 0, 0}).frames;
   for (Frame& f : frames) f = {turn(f.right), turn(f.up), turn(f.forward), f.window};
@@ -109,9 +109,7 @@ SegmentQuery PathOptions::query(std::uint64_t seed) const {
 }
 
 void PathOptions::add_paths_to(CLI::App& command) {
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
-    return command.add_option(name, value, help)->type_name(type)->group(group);
-  };
+  const OptionGroup add(command, group);
   add("--from", from, "x,y,z", "Where the camera starts, in scene units; with --to");
   add("--to", to, "x,y,z", "Where it ends; it moves straight there and does not turn");
   add("--rect", rect, "P:U:V",
@@ -126,9 +124,7 @@ void PathOptions::add_paths_to(CLI::App& command) {
 
 void PathOptions::add_to(CLI::App& command) {
   add_paths_to(command);
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
-    command.add_option(name, value, help)->type_name(type)->group(group);
-  };
+  const OptionGroup add(command, group);
   add("--size", size, "WxH",
       "Pixels of each face or of the camera, 1 to 16384 each: the query is answered at their centres "
       "[800x800; "

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <limits>
 
 #include "provis/error.hpp"
 #include "provis/result_file.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/cli/run.hpp"
 #include "src/report/names.hpp"
 
@@ -27,9 +27,7 @@ double parse_positive(const std::string& option, const std::string& text) {
 }  // namespace
 
 void SceneOptions::add_to(CLI::App& command) {
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
-    return command.add_option(name, value, help)->type_name(type)->group(group);
-  };
+  const OptionGroup add(command, group);
   command.add_option("SCENE", file, "glTF 2.0 (.gltf, .glb) or PLY (.ply) file")
       ->required()
       ->type_name("FILE");

@@ -1,11 +1,11 @@
 #include "src/cli/segment_method.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "provis/check_doubles.hpp"
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/report/names.hpp"
 
 namespace provis {
@@ -65,9 +65,7 @@ SegmentSet SegmentMethod::answer(const Scene& scene, const SegmentView& view, Se
 }
 
 void SegmentMethod::add_to(CLI::App& command) {
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
-    return command.add_option(name, value, help)->type_name(type)->group("How to compute");
-  };
+  const OptionGroup add(command, "How to compute");
   add("--method", method, "",
       "'exact': what is seen at any time; 'sampled': from --viewpoints single viewpoints, in plain float64, "
       "for comparison only [exact]")

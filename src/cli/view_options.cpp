@@ -1,9 +1,8 @@
 #include "src/cli/view_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/cli/views_file.hpp"
 #include "src/report/names.hpp"
 
@@ -23,9 +22,7 @@ ViewRequest named_request(const std::string& text, const std::string& scene_file
 }  // namespace
 
 void ViewOptions::add_to(CLI::App& command) {
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
-    return command.add_option(name, value, help)->type_name(type)->group(group);
-  };
+  const OptionGroup add(command, group);
   add("--eye", eye, "x,y,z", "Viewpoint, in scene units (required, unless --views is given)");
   add("--dir", dir, "x,y,z",
       "Direction of view, of any length but 0; this, --look-at or --right is required, unless --view is "

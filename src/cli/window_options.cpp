@@ -1,6 +1,6 @@
 #include "src/cli/window_options.hpp"
 
-#include <CLI/CLI.hpp>
+#include "src/cli/option_group.hpp"
 
 namespace provis {
 
@@ -13,9 +13,7 @@ std::optional<Frame> WindowOptions::frame(const Vec3d& middle, const std::array<
 }
 
 void WindowOptions::add_to(CLI::App& command) {
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* help) {
-    command.add_option(name, value, help)->type_name(type)->group(group);
-  };
+  const OptionGroup add(command, group);
   add("--dir", dir, "x,y,z",
       "Look only along this direction, of any length but 0, as a camera does; without it, or --look-at, or "
       "--right, "

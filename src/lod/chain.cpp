@@ -1,13 +1,11 @@
 #include "src/lod/chain.hpp"
 
 #include <algorithm>
-#include <optional>
 
-#include "predicates/ray_hit.hpp"
 #include "predicates/zero_area.hpp"
 #include "provis/error.hpp"
-#include "src/lod/box_contact.hpp"
-#include "src/scene/ray_box.hpp"
+#include "src/scene/certain_ray.hpp"
+#include "src/scene/separation.hpp"
 
 namespace provis::lod {
 namespace {
@@ -15,49 +13,22 @@ namespace {
 /// How a ray crosses a triangle beyond its origin; unclear where it meets the border or runs along the plane.
 enum class Crossing { none, outwards, inwards, unclear };
 
-/// A ray of a rational origin and a float64 direction.
-class Ray {
- public:
-  Ray(const Point& origin, const Vec3d& direction)
-      : origin_(origin),
-        direction_(numbers<Rational>(direction)),
-        origin_bounds_(enclosed(origin)),
-        direction_bounds_(numbers<Interval>(direction)) {}
-
-  bool may_meet(const Box& box) const { return ray_may_meet(origin_bounds_, direction_bounds_, box); }
-
-  Crossing crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
-    const RayHit<Interval> i = ray_hit(origin_bounds_, direction_bounds_, a, b, c);
-    const auto some = [&](auto certainly) {
-      return certainly(i.passes[0]) || certainly(i.passes[1]) || certainly(i.passes[2]);
-    };
-    if (some([](const Interval& x) { return x.inf() > 0; }) &&
-        some([](const Interval& x) { return x.sup() < 0; }))
-      return Crossing::none;
-    std::optional<RayHit<Rational>> exact;
-    const auto sign = [&](const Interval& x, auto part) {
-      if (const auto s = provis::sign_of(x)) return *s;
-      if (!exact) exact = ray_hit(origin_, direction_, a, b, c);
-      return sign_of(part(*exact));
-    };
-    const Sign along = sign(i.along, [](const RayHit<Rational>& h) { return h.along; });
-    // Behind the origin, at it, or in a plane beside it.
-    if (sign(i.reach, [](const RayHit<Rational>& h) { return h.reach; }) != along) return Crossing::none;
-    bool border = false, inside = true;
-    for (int k = 0; k < 3; ++k) {
-      const Sign pass = sign(i.passes[k], [k](const RayHit<Rational>& h) { return h.passes[k]; });
-      border = border || pass == Sign::zero;
-      inside = inside && pass * along != Sign::negative;
-    }
-    if (!inside) return Crossing::none;
-    if (border) return Crossing::unclear;
-    return along == Sign::positive ? Crossing::outwards : Crossing::inwards;
+Crossing crossing(const CertainRay<Rational>& ray, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  RaySigns<Rational> signs(ray, a, b, c);
+  if (signs.certainly_beside()) return Crossing::none;
+  const Sign along = signs.along();
+  // Behind the origin, at it, or in a plane beside it.
+  if (signs.reach() != along) return Crossing::none;
+  bool border = false, inside = true;
+  for (int k = 0; k < 3; ++k) {
+    const Sign pass = signs.pass(k);
+    border = border || pass == Sign::zero;
+    inside = inside && pass * along != Sign::negative;
   }
-
- private:
-  Point origin_, direction_;
-  Vec3<Interval> origin_bounds_, direction_bounds_;
-};
+  if (!inside) return Crossing::none;
+  if (border) return Crossing::unclear;
+  return along == Sign::positive ? Crossing::outwards : Crossing::inwards;
+}
 
 /// The k-th of a fixed sequence without order. Its numbers are short, so that exact products are.
 Vec3d direction(std::uint64_t k) {
@@ -89,11 +60,12 @@ Winding Chain::winding(const Point& p) const {
   constexpr std::uint64_t most_tries = 10000;
   for (std::uint64_t k = 1; k <= most_tries; ++k) {
     Winding w{0, direction(k)};
-    const Ray ray(p, w.direction);
+    const CertainRay<Rational> ray{p, numbers<Rational>(w.direction), enclosed(p),
+                                   numbers<Interval>(w.direction)};
     const bool unclear = tree_.any([&](const Box& box) { return ray.may_meet(box); },
                                    [&](std::uint32_t t) {
-                                     const Crossing c = ray.crosses(
-                                         scene_->corner(t, 0), scene_->corner(t, 1), scene_->corner(t, 2));
+                                     const Crossing c = crossing(ray, scene_->corner(t, 0),
+                                                                 scene_->corner(t, 1), scene_->corner(t, 2));
                                      if (c == Crossing::outwards) ++w.number;
                                      if (c == Crossing::inwards) --w.number;
                                      return c == Crossing::unclear;
@@ -105,10 +77,13 @@ Winding Chain::winding(const Point& p) const {
 
 bool Chain::may_hold_part_of(const ViewCell& cell) const {
   const Box box{cell.lower, cell.upper};
+  const auto may_meet = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    return meet(box, box_around(a, b, c)) && !TriangleAndBox({a, b, c}, box).separated(Gap::strict);
+  };
   const bool met =
       tree_.any([&](const Box& b) { return meet(b, box); },
                 [&](std::uint32_t t) {
-                  return may_meet(box, scene_->corner(t, 0), scene_->corner(t, 1), scene_->corner(t, 2));
+                  return may_meet(scene_->corner(t, 0), scene_->corner(t, 1), scene_->corner(t, 2));
                 });
   return met || winding(numbers<Rational>(cell.lower)).number != 0;
 }

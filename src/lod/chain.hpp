@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "provis/cell.hpp"
-#include "src/lod/rational.hpp"
+#include "src/lod/point.hpp"
 #include "src/scene/box_tree.hpp"
 
 namespace provis::lod {

@@ -38,7 +38,7 @@ Rational PlaneCells::height(const Line& line, const Spot& p) const {
 }
 
 Sign PlaneCells::side(const Line& line, const Spot& p) const {
-  const auto s = provis::sign_of(line.around_a * p.x + line.around_b * p.y + line.around_c);
+  const auto s = sign_of(line.around_a * p.x + line.around_b * p.y + line.around_c);
   return s ? *s : sign_of(height(line, p));
 }
 

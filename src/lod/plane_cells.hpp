@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "src/lod/rational.hpp"
+#include "src/lod/point.hpp"
 
 namespace provis::lod {
 

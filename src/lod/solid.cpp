@@ -4,6 +4,7 @@
 
 #include "predicates/certain_sign.hpp"
 #include "predicates/formulas.hpp"
+#include "predicates/plane_side.hpp"
 #include "src/lod/coplanar.hpp"
 #include "src/lod/plane_cells.hpp"
 
@@ -18,7 +19,7 @@ Vec3<N> normal(const Corners& t) {
 /// On which side of a triangle's plane a point lies.
 Sign side(const Corners& t, const Vec3d& p) {
   if (p == t[0] || p == t[1] || p == t[2]) return Sign::zero;
-  return certain_sign([&]<class N>() { return dot(normal<N>(t), numbers<N>(p) - numbers<N>(t[0])); });
+  return plane_side(t[0], t[1], t[2], p);
 }
 
 struct Sides {

@@ -3,20 +3,11 @@
 #include <algorithm>
 
 #include "predicates/certain_sign.hpp"
+#include "predicates/plane_side.hpp"
 #include "predicates/zero_area.hpp"
 
 namespace provis::offset {
 namespace {
-
-template <class N>
-N plane_height(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3<N>& p) {
-  const Vec3<N> o = numbers<N>(a);
-  return dot(cross(numbers<N>(b) - o, numbers<N>(c) - o), p - o);
-}
-
-Sign plane_side(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p) {
-  return certain_sign([&]<class N>() { return plane_height(a, b, c, numbers<N>(p)); });
-}
 
 /// On which sides of a triangle's plane the corners of a face lie.
 struct Sides {

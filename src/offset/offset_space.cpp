@@ -167,18 +167,16 @@ bool Descent::cut(Entry& e, std::span<const HalfSpace> spaces) const {
   if (!e.cut) changed = polygon_of(e, facet(e));
   const Polygon* now = e.cut ? e.cut.get() : &changed;
   bool any = false;
-  for (const HalfSpace& h : spaces) switch (now->outside(h)) {
-      case Polygon::Outside::none:
-        break;
-      case Polygon::Outside::all:
-        return false;
-      case Polygon::Outside::some:
-        if (now != &changed) changed = *now;
-        now = &changed;
-        changed.clip(h);
-        if (changed.size == 0) return false;
-        any = true;
+  for (const HalfSpace& h : spaces) {
+    Polygon::Outside outside = now == &changed ? changed.clip(h) : now->outside(h);
+    if (outside == Polygon::Outside::some && now != &changed) {
+      changed = *now;
+      now = &changed;
+      outside = changed.clip(h);
     }
+    if (outside == Polygon::Outside::all) return false;
+    any = any || outside == Polygon::Outside::some;
+  }
   if (!any) return true;
   measure(e, changed);
   e.cut = new CutPolygon(changed);

@@ -38,18 +38,18 @@ Polygon::Outside Polygon::outside(const HalfSpace& h) const {
   return !any_out ? Outside::none : any_in ? Outside::some : Outside::all;
 }
 
-void Polygon::clip(const HalfSpace& h) {
-  switch (outside(h)) {
-    case Outside::none:
-      return;
-    case Outside::all:
-      size = 0;
-      return;
-    case Outside::some:
-      break;
-  }
+Polygon::Outside Polygon::clip(const HalfSpace& h) {
   std::array<Interval, most> heights;
-  for (std::size_t k = 0; k < size; ++k) heights[k] = height(h, corners[k].at);
+  bool any_out = false, any_in = false;
+  for (std::size_t k = 0; k < size; ++k) {
+    heights[k] = height(h, corners[k].at);
+    (heights[k].sup() < 0 ? any_out : any_in) = true;
+  }
+  if (!any_out) return Outside::none;
+  if (!any_in) {
+    size = 0;
+    return Outside::all;
+  }
   std::array<Corner, 2 * most> kept;
   std::size_t n = 0;
   for (std::size_t k = 0; k < size; ++k) {
@@ -62,9 +62,10 @@ void Polygon::clip(const HalfSpace& h) {
     if (heights[in].sup() > 0)
       kept[n++] = cut(corners[in], corners[beyond], share_beyond(heights[in], heights[beyond]));
   }
-  if (n > most) return;
+  if (n > most) return Outside::some;
   std::copy_n(kept.begin(), n, corners.begin());
   size = n < 3 ? 0 : static_cast<std::uint8_t>(n);
+  return size == 0 ? Outside::all : Outside::some;
 }
 
 Polygon whole(const Vec3d& a, const Vec3d& b, const Vec3d& c) {

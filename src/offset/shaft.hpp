@@ -33,12 +33,13 @@ struct Polygon {
   std::array<Corner, most> corners;
   std::uint8_t size = 0;
 
-  /// Corners outside of the half space certainly are: none, some or all.
+  /// Which corners certainly lie outside of the half space.
   enum class Outside { none, some, all };
   Outside outside(const HalfSpace& h) const;
 
-  /// Cuts off what certainly lies outside. A cut that would need too many corners is left out.
-  void clip(const HalfSpace& h);
+  /// Cuts off what certainly lies outside, and says how much that was. A cut that would need too many corners
+  /// is left out.
+  Outside clip(const HalfSpace& h);
 };
 
 Polygon whole(const Vec3d& a, const Vec3d& b, const Vec3d& c);

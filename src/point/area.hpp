@@ -1,17 +1,14 @@
 #pragma once
 // Exact window coordinates and areas of cells.
 
-#include <CGAL/Gmpq.h>
-
 #include <cstdint>
 #include <vector>
 
 #include "predicates/exact_number.hpp"
+#include "predicates/rational.hpp"
 #include "src/point/cell.hpp"
 
 namespace provis {
-
-using Rational = CGAL::Gmpq;
 
 /// The window coordinates (x/w, y/w) of a ray, not divided yet: every division costs a greatest common
 /// divisor of long numbers.

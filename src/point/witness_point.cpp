@@ -1,10 +1,10 @@
 #include "src/point/witness_point.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "provis/error.hpp"
 #include "src/point/area.hpp"
+#include "src/point/dyadic.hpp"
 
 namespace provis {
 namespace {
@@ -29,15 +29,6 @@ bool strictly_inside(const ViewGeometry& g, const Cell& cell, const WitnessPoint
   return std::all_of(cell.lines.begin(), cell.lines.end(),
                      [&](const Side& l) { return exact_side(g, l, ray) == Sign::positive; });
 }
-
-Dyadic dyadic(const ExactNumber& x) {
-  const Rational q = static_cast<Rational>(x);
-  std::ostringstream mantissa;
-  mantissa << q.numerator();
-  return {mantissa.str(), -static_cast<long>(mpz_sizeinbase(q.denominator().mpz(), 2) - 1)};
-}
-
-Vec3<Dyadic> dyadic(const Vec3<ExactNumber>& v) { return {dyadic(v.x), dyadic(v.y), dyadic(v.z)}; }
 
 }  // namespace
 

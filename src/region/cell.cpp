@@ -141,7 +141,7 @@ void Query::aim_at_undecided() {
   const Stopwatch stopwatch;
   const std::vector<PrimitiveId> open = result_.set.with(Status::undecided);
   BoundStats& b = result_.bounds;
-  b.rays = lower_.aim_at(open, options_.rays, options_.seed, context_, meter_);
+  b.rays = lower_.aim_at(open, options_.rays, options_.seed, meter_);
   b.seconds_rays = stopwatch.seconds();
 }
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 
+#include "src/scene/box_tree.hpp"
+
 namespace provis {
 
 std::vector<std::pair<Vec3d, Vec3d>> edges_and_diagonals(const ViewCell& cell) {
-  const auto corner = [&](unsigned k) {
-    return Vec3d{(k & 1 ? cell.upper : cell.lower).x, (k & 2 ? cell.upper : cell.lower).y,
-                 (k & 4 ? cell.upper : cell.lower).z};
-  };
+  const auto corners = corners_of(Box{cell.lower, cell.upper});
   std::vector<std::pair<Vec3d, Vec3d>> paths;
   const auto add = [&](unsigned from, unsigned to) {
-    const std::pair path(corner(from), corner(to)), back(path.second, path.first);
+    const std::pair path(corners[from], corners[to]), back(path.second, path.first);
     // Of a flat cell several are the same.
     const bool known =
         std::any_of(paths.begin(), paths.end(), [&](const auto& p) { return p == path || p == back; });

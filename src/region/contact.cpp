@@ -3,32 +3,25 @@
 #include <algorithm>
 #include <array>
 
-#include "predicates/certain_sign.hpp"
+#include "predicates/exact_number.hpp"
 #include "predicates/formulas.hpp"
+#include "predicates/plane_side.hpp"
 #include "predicates/zero_area.hpp"
+#include "src/scene/separation.hpp"
 
 namespace provis {
 namespace {
 
 using N = ExactNumber;
-using Corners = std::array<Vec3d, 8>;
 
-Corners corners_of(const ViewCell& cell) {
-  Corners c;
-  for (std::size_t k = 0; k < 8; ++k)
-    c[k] = {k & 1 ? cell.upper.x : cell.lower.x, k & 2 ? cell.upper.y : cell.lower.y,
-            k & 4 ? cell.upper.z : cell.lower.z};
-  return c;
-}
-
-/// A triangle, its normal in exact numbers, and the cell.
+/// A triangle and the cell.
 class Touch {
  public:
   Touch(const Scene& scene, std::size_t t, const ViewCell& cell)
       : p_{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2)},
         one_sided_(scene.triangle_flags()[t] & single_sided),
         cell_(cell),
-        corners_(corners_of(cell)) {}
+        pair_(p_, {cell.lower, cell.upper}) {}
 
   bool unseen() const;
   bool meets_interior() const;
@@ -36,10 +29,9 @@ class Touch {
   bool shows_on_a_face() const;
 
  private:
-  template <class T = N>
-  Vec3<T> normal() const {
-    const Vec3<T> o = numbers<T>(p_[0]);
-    return cross(numbers<T>(p_[1]) - o, numbers<T>(p_[2]) - o);
+  Vec3<N> normal() const {
+    const Vec3<N> o = numbers<N>(p_[0]);
+    return cross(numbers<N>(p_[1]) - o, numbers<N>(p_[2]) - o);
   }
   double least(int axis) const {
     return std::min({component(p_[0], axis), component(p_[1], axis), component(p_[2], axis)});
@@ -47,7 +39,6 @@ class Touch {
   double greatest(int axis) const {
     return std::max({component(p_[0], axis), component(p_[1], axis), component(p_[2], axis)});
   }
-  bool separates(const Vec3<N>& axis) const;
   bool overlaps_face(int axis) const;
   /// Whether some direction of the window has a positive product with the vector.
   bool some_direction_along(const Vec3<N>& v) const;
@@ -55,44 +46,24 @@ class Touch {
   std::array<Vec3d, 3> p_;
   bool one_sided_;
   const ViewCell& cell_;
-  Corners corners_;
+  TriangleAndBox pair_;
 };
 
 /// Every corner of the cell lies in the triangle's plane, or behind a triangle that has no back.
 bool Touch::unseen() const {
-  return std::all_of(corners_.begin(), corners_.end(), [&](const Vec3d& c) {
-    const Sign s =
-        certain_sign([&]<class T>() { return dot(normal<T>(), numbers<T>(c) - numbers<T>(p_[0])); });
+  return std::all_of(pair_.corners.begin(), pair_.corners.end(), [&](const Vec3d& c) {
+    const Sign s = plane_side(p_[0], p_[1], p_[2], c);
     return s == Sign::zero || (one_sided_ && s == Sign::negative);
   });
 }
 
-/// A vector of length zero separates nothing: it alone sees all corners of a box at one height.
-bool Touch::separates(const Vec3<N>& axis) const {
-  bool below = true, above = true;
-  for (const Vec3d& p : p_)
-    for (const Vec3d& c : corners_) {
-      const Sign s = sign_of(dot(axis, numbers<N>(p) - numbers<N>(c)));
-      below = below && s != Sign::positive;
-      above = above && s != Sign::negative;
-      if (!below && !above) return false;
-    }
-  return below != above;
-}
-
-// Two convex bodies, one of them open, are disjoint iff a plane separates them weakly; one of these does:
-// across an axis, along the triangle, or across an axis and an edge.
+// Of two convex bodies one is open: they are disjoint iff a plane separates them weakly.
 bool Touch::meets_interior() const {
   for (int axis = 0; axis < 3; ++axis)
     if (!(least(axis) < component(cell_.upper, axis) && greatest(axis) > component(cell_.lower, axis)) ||
         !(component(cell_.lower, axis) < component(cell_.upper, axis)))
       return false;
-  if (separates(normal())) return false;
-  const Vec3<N> axes[3] = {{N(1), N(0), N(0)}, {N(0), N(1), N(0)}, {N(0), N(0), N(1)}};
-  for (std::size_t k = 0; k < 3; ++k)
-    for (const Vec3<N>& axis : axes)
-      if (separates(cross(axis, numbers<N>(p_[(k + 1) % 3]) - numbers<N>(p_[k])))) return false;
-  return true;
+  return !pair_.separated(Gap::touch);
 }
 
 bool Touch::some_direction_along(const Vec3<N>& v) const {
@@ -115,14 +86,16 @@ bool Touch::overlaps_face(int axis) const {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   for (const int k : {i, j})
     if (!(least(k) < component(cell_.upper, k) && greatest(k) > component(cell_.lower, k))) return false;
-  const auto across = [&](const Vec3d& a, const Vec3d& b) {
-    Vec3<N> v{N(0), N(0), N(0)};
-    component(v, i) = N(component(b, j)) - N(component(a, j));
-    component(v, j) = N(component(a, i)) - N(component(b, i));
-    return v;
-  };
-  for (std::size_t k = 0; k < 3; ++k)
-    if (separates(across(p_[k], p_[(k + 1) % 3]))) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3d &a = p_[k], &b = p_[(k + 1) % 3];
+    const Gap gap = pair_.along([&]<class T>() {
+      Vec3<T> v{T(0.0), T(0.0), T(0.0)};
+      component(v, i) = T(component(b, j)) - T(component(a, j));
+      component(v, j) = T(component(a, i)) - T(component(b, i));
+      return v;
+    });
+    if (gap >= Gap::touch) return false;
+  }
   return true;
 }
 

@@ -1,16 +1,13 @@
 #include "src/region/dyadic_point.hpp"
 
-#include <CGAL/Gmpq.h>
-
 #include <algorithm>
-#include <cmath>
-#include <string>
 #include <utility>
+
+#include "predicates/rational.hpp"
 
 namespace provis {
 namespace {
 
-using Rational = CGAL::Gmpq;
 using Point = Vec3<Rational>;
 
 Rational value(const Dyadic& d) {
@@ -34,14 +31,6 @@ bool certainly_beyond(const Bounds& p, double a, double b, double c) {
 }
 
 }  // namespace
-
-Dyadic dyadic(double x) {
-  int exponent = 0;
-  const double share = std::frexp(x, &exponent);  // of 53 bits
-  return {std::to_string(static_cast<long long>(std::ldexp(share, 53))), exponent - 53};
-}
-
-Vec3<Dyadic> dyadic(const Vec3d& p) { return {dyadic(p.x), dyadic(p.y), dyadic(p.z)}; }
 
 struct DyadicPoint::Numbers {
   Point exact;

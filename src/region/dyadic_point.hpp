@@ -8,9 +8,6 @@
 
 namespace provis {
 
-Dyadic dyadic(double x);
-Vec3<Dyadic> dyadic(const Vec3d& p);
-
 class DyadicPoint {
  public:
   explicit DyadicPoint(const Vec3<Dyadic>& p);

@@ -85,7 +85,9 @@ std::vector<Vec3d> LowerSet::sample_directions(const Face& face, int count) cons
 }
 
 std::uint64_t LowerSet::aim_at(const std::vector<PrimitiveId>& ids, int rays, std::uint64_t seed,
-                               const Context& context, ProgressMeter& meter) {
+                               ProgressMeter& meter) {
+  if (ids.empty() || rays == 0) return 0;
+  const Context& context = queries_.context();
   const RandomRays random(scene_, cell_);
   on_threads(context, [&] {
     parallel_for(ids.size(), [&](std::size_t k) {

@@ -40,7 +40,7 @@ class LowerSet {
 
   /// So many random rays at each of these (random_rays.hpp). Returns how many primitives are new.
   std::uint64_t aim_at(const std::vector<PrimitiveId>& ids, int rays, std::uint64_t seed,
-                       const Context& context, ProgressMeter& meter);
+                       ProgressMeter& meter);
 
   /// Looks at one triangle from close by. Returns whether it was seen.
   bool look_at_contact(PrimitiveId id);

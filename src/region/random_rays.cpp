@@ -7,23 +7,20 @@
 #include "predicates/environment.hpp"
 #include "predicates/formulas.hpp"
 #include "predicates/on_triangle.hpp"
-#include "predicates/ray_hit.hpp"
-#include "predicates/view_geometry.hpp"
-#include "src/region/dyadic_point.hpp"
-#include "src/scene/random.hpp"
-#include "src/scene/ray_box.hpp"
+#include "predicates/plane_side.hpp"
+#include "src/point/dyadic.hpp"
 
 namespace provis {
 
-/// Two float64 points taken as exact; bounds are made once.
-struct RandomRays::Ray {
-  Vec3d origin, direction;
+/// Two float64 points, taken as exact.
+struct RandomRays::Ray : CertainRay<ExactNumber> {
+  Ray(const Vec3d& from, const Vec3d& way)
+      : CertainRay{numbers<ExactNumber>(from), numbers<ExactNumber>(way), numbers<Interval>(from),
+                   numbers<Interval>(way)},
+        start(from),
+        towards(way) {}
 
-  template <class N>
-  RayHit<N> hit(const Scene& scene, PrimitiveId t) const {
-    return ray_hit(numbers<N>(origin), numbers<N>(direction), scene.corner(t, 0), scene.corner(t, 1),
-                   scene.corner(t, 2));
-  }
+  Vec3d start, towards;
 };
 
 namespace {
@@ -47,79 +44,88 @@ Vec3d any_point(const Vec3d& a, const Vec3d& b, const Vec3d& c, Random& random) 
   return (u / all) * a + (v / all) * b + (w / all) * c;
 }
 
-bool shows(const Scene& scene, PrimitiveId t, Sign along) {
-  return !(scene.triangle_flags()[t] & single_sided) || along == Sign::negative;
-}
-
 }  // namespace
 
+RandomRays::RandomRays(const Scene& scene, const ViewCell& cell) : scene_(scene), cell_(cell), tree_(scene) {
+  if (cell.window) geometry_ = make_geometry(cell.lower, *cell.window, false);
+}
+
 std::optional<Witness> RandomRays::aim_at(PrimitiveId id, int rays, std::uint64_t seed) const {
-  Random random(seed * 0x100000001b3u + id);
-  const Vec3d &lo = cell_.lower, &hi = cell_.upper;
+  Random random(seed, id);
   for (int k = 0; k < rays; ++k) {
-    Ray ray;
-    {
-      const RoundNearest guard;
-      ray.origin = {any_between(lo.x, hi.x, random), any_between(lo.y, hi.y, random),
-                    any_between(lo.z, hi.z, random)};
-      ray.direction =
-          any_point(scene_.corner(id, 0), scene_.corner(id, 1), scene_.corner(id, 2), random) - ray.origin;
-    }
+    const auto [start, towards] = any_ray(id, random);
     const RoundUp guard;
-    if (!hits(ray, id) || !in_window(ray.direction) || blocked(ray, id) || on_occluder(ray.origin)) continue;
-    return Witness{id, dyadic(ray.origin), dyadic(ray.direction)};
+    const Ray ray(start, towards);
+    if (!hits(ray, id) || !in_window(towards) || blocked(ray, id) || on_occluder(start)) continue;
+    return Witness{id, dyadic(numbers<Rational>(start)), dyadic(numbers<Rational>(towards))};
   }
   return std::nullopt;
 }
 
+/// Start and direction.
+std::pair<Vec3d, Vec3d> RandomRays::any_ray(PrimitiveId id, Random& random) const {
+  const RoundNearest guard;
+  const Vec3d &lo = cell_.lower, &hi = cell_.upper;
+  const Vec3d start{any_between(lo.x, hi.x, random), any_between(lo.y, hi.y, random),
+                    any_between(lo.z, hi.z, random)};
+  return {start, any_point(scene_.corner(id, 0), scene_.corner(id, 1), scene_.corner(id, 2), random) - start};
+}
+
+/// The sign of n·direction where the ray reaches the plane of the triangle beyond its start, from a side that
+/// the triangle has; a plane that holds the start has no hits (R6).
+std::optional<Sign> RandomRays::reaches(RaySigns<ExactNumber>& signs, PrimitiveId t) const {
+  const Sign along = signs.along();
+  if (along == Sign::zero || signs.reach() != along) return std::nullopt;
+  if ((scene_.triangle_flags()[t] & single_sided) && along != Sign::negative) return std::nullopt;
+  return along;
+}
+
+RaySigns<ExactNumber> RandomRays::signs(const Ray& ray, PrimitiveId t) const {
+  return {ray, scene_.corner(t, 0), scene_.corner(t, 1), scene_.corner(t, 2)};
+}
+
+/// In the relative interior.
 bool RandomRays::hits(const Ray& ray, PrimitiveId id) const {
-  const auto sign = [&](const auto& part) {
-    return certain_sign([&]<class N>() { return part(ray.hit<N>(scene_, id)); });
-  };
-  const Sign along = sign([](const auto& h) { return h.along; });
-  if (along == Sign::zero || !shows(scene_, id, along)) return false;
-  if (sign([](const auto& h) { return h.reach; }) != along) return false;
-  for (int k = 0; k < 3; ++k)
-    if (sign([&](const auto& h) { return h.passes[k]; }) != along) return false;
-  return true;
+  RaySigns<ExactNumber> of_target = signs(ray, id);
+  const std::optional<Sign> along = reaches(of_target, id);
+  return along && of_target.pass(0) == *along && of_target.pass(1) == *along && of_target.pass(2) == *along;
 }
 
 bool RandomRays::in_window(const Vec3d& direction) const {
-  if (!cell_.window) return true;
-  const ViewGeometry g = make_geometry(cell_.lower, *cell_.window, false);
+  if (!geometry_) return true;
   const Window& w = cell_.window->window;
   const auto side = [&](const auto& line) {
     return certain_sign(
                [&]<class N>() { return dot(line.template operator()<N>(), numbers<N>(direction)); }) *
-           g.handedness;
+           geometry_->handedness;
   };
-  return side([&]<class N>() { return image_side<N>(g); }) == Sign::positive &&
-         side([&]<class N>() { return x_border<N>(g, w.x0); }) != Sign::negative &&
-         side([&]<class N>() { return x_border<N>(g, w.x1); }) != Sign::positive &&
-         side([&]<class N>() { return y_border<N>(g, w.y0); }) != Sign::negative &&
-         side([&]<class N>() { return y_border<N>(g, w.y1); }) != Sign::positive;
+  return side([&]<class N>() { return image_side<N>(*geometry_); }) == Sign::positive &&
+         side([&]<class N>() { return x_border<N>(*geometry_, w.x0); }) != Sign::negative &&
+         side([&]<class N>() { return x_border<N>(*geometry_, w.x1); }) != Sign::positive &&
+         side([&]<class N>() { return y_border<N>(*geometry_, w.y0); }) != Sign::negative &&
+         side([&]<class N>() { return y_border<N>(*geometry_, w.y1); }) != Sign::positive;
 }
 
 bool RandomRays::blocked(const Ray& ray, PrimitiveId target) const {
-  const auto origin = numbers<Interval>(ray.origin), direction = numbers<Interval>(ray.direction);
-  return tree_.any([&](const Box& box) { return ray_may_meet(origin, direction, box); },
+  return tree_.any([&](const Box& box) { return ray.may_meet(box); },
                    [&](PrimitiveId t) { return t != target && in_the_way(ray, t, target); });
 }
 
-/// A plane that holds the origin has reach zero and no hits (R6).
 bool RandomRays::in_the_way(const Ray& ray, PrimitiveId occluder, PrimitiveId target) const {
   if (scene_.triangle_flags()[occluder] & see_through) return false;
-  const auto sign = [&](const auto& part) {
-    return certain_sign([&]<class N>() { return part(ray.hit<N>(scene_, occluder)); });
-  };
-  const Sign along = sign([](const auto& h) { return h.along; });
-  if (along == Sign::zero || !shows(scene_, occluder, along)) return false;
-  if (sign([](const auto& h) { return h.reach; }) != along) return false;
+  RaySigns<ExactNumber> of_occluder = signs(ray, occluder);
+  if (of_occluder.certainly_beside()) return false;
+  const std::optional<Sign> along = reaches(of_occluder, occluder);
+  if (!along) return false;
   for (int k = 0; k < 3; ++k)
-    if (sign([&](const auto& h) { return h.passes[k]; }) == -along) return false;
+    if (of_occluder.pass(k) == -*along) return false;
   // The distance to the target's plane less that to the occluder's, times both denominators squared.
+  const auto hit = [&]<class N>(PrimitiveId t) {
+    return ray_hit(numbers<N>(ray.start), numbers<N>(ray.towards), scene_.corner(t, 0), scene_.corner(t, 1),
+                   scene_.corner(t, 2));
+  };
   const Sign farther = certain_sign([&]<class N>() {
-    const RayHit<N> o = ray.hit<N>(scene_, occluder), t = ray.hit<N>(scene_, target);
+    const RayHit<N> o = hit.template operator()<N>(occluder), t = hit.template operator()<N>(target);
     return (t.reach * o.along - o.reach * t.along) * (o.along * t.along);
   });
   return farther != Sign::negative && !coplanar(occluder, target);
@@ -137,14 +143,10 @@ bool RandomRays::on_occluder(const Vec3d& p) const {
 }
 
 bool RandomRays::coplanar(PrimitiveId first, PrimitiveId second) const {
-  const Vec3d &a = scene_.corner(first, 0), &b = scene_.corner(first, 1), &c = scene_.corner(first, 2);
-  for (int k = 0; k < 3; ++k) {
-    const Sign height = certain_sign([&]<class N>() {
-      const Vec3<N> o = numbers<N>(a);
-      return dot(cross(numbers<N>(b) - o, numbers<N>(c) - o), numbers<N>(scene_.corner(second, k)) - o);
-    });
-    if (height != Sign::zero) return false;
-  }
+  for (int k = 0; k < 3; ++k)
+    if (plane_side(scene_.corner(first, 0), scene_.corner(first, 1), scene_.corner(first, 2),
+                   scene_.corner(second, k)) != Sign::zero)
+      return false;
   return true;
 }
 

@@ -2,10 +2,14 @@
 // Rays from random viewpoints of a cell to random points of a triangle: what they prove.
 
 #include <optional>
+#include <utility>
 
+#include "predicates/exact_number.hpp"
+#include "predicates/view_geometry.hpp"
 #include "provis/cell.hpp"
 #include "provis/visible_set.hpp"
-#include "src/scene/box_tree.hpp"
+#include "src/scene/certain_ray.hpp"
+#include "src/scene/random.hpp"
 
 namespace provis {
 
@@ -14,7 +18,7 @@ namespace provis {
 ///             and no occluder outside of the triangle's plane meets it up to there
 class RandomRays {
  public:
-  RandomRays(const Scene& scene, const ViewCell& cell) : scene_(scene), cell_(cell), tree_(scene) {}
+  RandomRays(const Scene& scene, const ViewCell& cell);
 
   /// The first witness among so many rays aimed at the triangle; the same for the same seed.
   std::optional<Witness> aim_at(PrimitiveId id, int rays, std::uint64_t seed) const;
@@ -22,6 +26,9 @@ class RandomRays {
  private:
   struct Ray;
 
+  std::pair<Vec3d, Vec3d> any_ray(PrimitiveId id, Random& random) const;
+  RaySigns<ExactNumber> signs(const Ray& ray, PrimitiveId t) const;
+  std::optional<Sign> reaches(RaySigns<ExactNumber>& signs, PrimitiveId t) const;
   bool hits(const Ray& ray, PrimitiveId id) const;
   bool in_window(const Vec3d& direction) const;
   bool blocked(const Ray& ray, PrimitiveId target) const;
@@ -32,6 +39,7 @@ class RandomRays {
   const Scene& scene_;
   const ViewCell& cell_;
   BoxTree tree_;
+  std::optional<ViewGeometry> geometry_;  ///< of the window
 };
 
 }  // namespace provis

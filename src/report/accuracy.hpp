@@ -27,6 +27,7 @@ struct Way {
 
   /// Whether the set is the exact one wherever this way comes to an end.
   bool certain() const { return !cell && method == Method::exact && arithmetic != Arithmetic::doubles; }
+  bool from_cell() const { return cell || pixels.width > 0; }
   /// From a cell: whether what is visible is proven, and whether what is hidden is.
   bool proves_visible() const { return cell == CellMethod::lower || cell == CellMethod::bounds; }
   bool proves_hidden() const { return cell == CellMethod::cos || cell == CellMethod::bounds; }

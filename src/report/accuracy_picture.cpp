@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <ostream>
 
 #include "src/report/accuracy.hpp"
@@ -39,10 +38,13 @@ constexpr Family all_stages = {"all stages", "#7b3294", Marker::square, true};
 constexpr Family certain = {"exact, by certain signs", "#00835f", Marker::square, false};
 constexpr Family doubles = {"plain doubles", "#c8361d", Marker::square, true};
 
+constexpr const Family* families[] = {&sampling, &viewpoints, &aggressive,  &plain_engine, &certain,
+                                      &doubles,  &grid_views, &exact_views, &offset_space, &all_stages};
+
 const Family& family(const Way& way) {
   if (way.cell == CellMethod::cos) return offset_space;
   if (way.cell) return way.viewpoints > 0 ? exact_views : all_stages;
-  if (way.method == Method::sampled && way.pixels.width > 0) return grid_views;
+  if (way.method == Method::sampled && way.from_cell()) return grid_views;
   if (way.method == Method::sampled) return way.viewpoints > 0 ? viewpoints : sampling;
   if (way.plain) return plain_engine;
   if (way.method == Method::aggressive) return aggressive;
@@ -187,11 +189,13 @@ void Panel::draw_axes() {
 
 /// The ways of each series, joined as far as they miss anything.
 void Panel::draw_curves() {
-  std::map<const Family*, std::vector<SvgPoint>> curves;
-  for (const Dot& dot : dots_)
-    if (in_series(dot.outcome->way) && dot.missed > 0)
-      curves[&family(dot.outcome->way)].push_back(place(dot));
-  for (const auto& [f, points] : curves) svg_.path(points, f->color, 2);
+  for (const Family* f : families) {
+    std::vector<SvgPoint> points;
+    for (const Dot& dot : dots_)
+      if (&family(dot.outcome->way) == f && in_series(dot.outcome->way) && dot.missed > 0)
+        points.push_back(place(dot));
+    if (!points.empty()) svg_.path(points, f->color, 2);
+  }
 }
 
 void Panel::draw_missing(const Dot& dot) {
@@ -231,8 +235,7 @@ void draw_legend(Svg& svg, const AccuracyReport& report) {
                        [&](const WayOutcome& o) { return &family(o.way) == f; });
   };
   double x = 90;
-  for (const Family* f : {&sampling, &viewpoints, &aggressive, &plain_engine, &certain, &doubles, &grid_views,
-                          &exact_views, &offset_space, &all_stages}) {
+  for (const Family* f : families) {
     if (!drawn(f)) continue;
     svg.marker(f->marker, {x, 46}, f->color, f->hollow);
     svg.text({x + 12, 50}, f->title, Anchor::start, 13, ink);

@@ -16,6 +16,15 @@ struct Box {
 
 Box box_around(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 
+/// Bit k of a corner's place is set where coordinate k is the upper one.
+inline std::array<Vec3d, 8> corners_of(const Box& box) {
+  std::array<Vec3d, 8> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    corners[k] = {k & 1 ? box.upper.x : box.lower.x, k & 2 ? box.upper.y : box.lower.y,
+                  k & 4 ? box.upper.z : box.lower.z};
+  return corners;
+}
+
 /// Whether two closed boxes have a common point.
 inline bool meet(const Box& a, const Box& b) {
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&

@@ -7,31 +7,22 @@
 
 #include "provis/error.hpp"
 #include "provis/scene.hpp"
+#include "src/scene/random.hpp"
 
 namespace provis {
 namespace {
 
-/// The finalizer of SplitMix64: a bijection in which every input bit reaches every output bit.
-/// Source: G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators, 2014.
-std::uint64_t mix(std::uint64_t z) {
-  z += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
+/// A bijection in which every input bit reaches every output bit.
+std::uint64_t mix(std::uint64_t z) { return Random(z).next(); }
 
 /// -0 and +0 are one position.
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x); }
 
-/// A number from [-delta, delta), one of 2^53 equally spaced ones before the product is rounded.
-double offset(double delta, std::uint64_t random) {
-  const double unit = static_cast<double>(random >> 11) * 0x1p-53;
-  return delta * (2 * unit - 1);
-}
-
+/// By a number from [-delta, delta) each way, one of 2^53 equally spaced ones before the product is rounded.
 Vec3d moved(const Vec3d& p, double delta, std::uint64_t seed) {
   const std::uint64_t h = mix(mix(mix(mix(seed) ^ bits(p.x)) ^ bits(p.y)) ^ bits(p.z));
-  return {p.x + offset(delta, mix(h ^ 1)), p.y + offset(delta, mix(h ^ 2)), p.z + offset(delta, mix(h ^ 3))};
+  const auto offset = [&](std::uint64_t k) { return delta * Random(h ^ k).signed_unit(); };
+  return {p.x + offset(1), p.y + offset(2), p.z + offset(3)};
 }
 
 double largest_coordinate(const Scene& scene) {

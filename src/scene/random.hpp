@@ -9,6 +9,8 @@ namespace provis {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
+  /// One of many for the same seed.
+  Random(std::uint64_t seed, std::uint64_t stream) : state_(seed * 0x100000001b3u + stream) {}
 
   std::uint64_t next() {
     std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);

@@ -3,12 +3,13 @@
 #include <CGAL/Gmpq.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "predicates/environment.hpp"
 #include "predicates/exact_number.hpp"
 #include "predicates/interval.hpp"
+#include "predicates/rational.hpp"
 #include "provis/error.hpp"
+#include "src/point/dyadic.hpp"
 #include "src/scene/parallel.hpp"
 #include "src/segment/frustum.hpp"
 
@@ -23,24 +24,16 @@ struct Moment {
   explicit Moment(const ExactTime& t) : exact(t), bounds(CGAL::to_interval(t)) {}
 };
 
-Sign exact_sign(const ExactTime& x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
-
 /// The sign of a formula over (number type, moment): of the interval where it has one.
 template <class Formula>
 Sign certain(const Moment& t, const Formula& formula) {
   if (const auto s = sign_of(formula(t.bounds))) return *s;
-  return exact_sign(formula(t.exact));
+  return sign_of(formula(t.exact));
 }
 
 template <class N>
 N at_time(const Linear<N>& f, const N& t) {
   return f.at_zero - t * f.slope;
-}
-
-Dyadic dyadic(const ExactTime& x) {
-  std::ostringstream mantissa;
-  mantissa << x.numerator();
-  return {mantissa.str(), -static_cast<long>(mpz_sizeinbase(x.denominator().mpz(), 2) - 1)};
 }
 
 /// floor(x 2^bits) / 2^bits
@@ -150,7 +143,7 @@ Witness witness_at(PrimitiveId id, const Look& look, const Pixel& at, const Exac
   const auto exact = [](const Vec3d& v) { return numbers<ExactTime>(v); };
   const Vec3<ExactTime> v = exact(path.from) + t * (exact(path.to) - exact(path.from));
   const Vec3<ExactTime> d = pixel_direction<ExactTime>(path, at);
-  return {id, {dyadic(v.x), dyadic(v.y), dyadic(v.z)}, {dyadic(d.x), dyadic(d.y), dyadic(d.z)}};
+  return {id, dyadic(v), dyadic(d)};
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "tests/report/schema.hpp"
 #include "tests/scene/files.hpp"
 #include "tests/support/sanitized.hpp"
+#include "tests/support/triangles.hpp"
 
 using namespace provis;
 using namespace provis::test;
@@ -310,12 +311,7 @@ TEST_CASE("along a segment a sight that is missed is measured") {
   // A wall behind a slit, seen for one two-thousandth of the way: none of ten viewpoints looks through.
   const TempFolder folder;
   SceneArrays arrays;
-  const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-    const auto first = static_cast<std::uint32_t>(arrays.vertices.size());
-    arrays.vertices.insert(arrays.vertices.end(), {a, b, c});
-    arrays.triangles.push_back({first, first + 1, first + 2});
-    arrays.triangle_flags.push_back(0);
-  };
+  const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) { add_triangle(arrays, a, b, c); };
   add({-90, -90, -2}, {0.001, -90, -2}, {0.001, 90, -2});
   add({0.002, -90, -2}, {90, -90, -2}, {0.002, 90, -2});
   add({-90, -90, -4}, {90, -90, -4}, {0, 90, -4});

@@ -81,7 +81,7 @@ Corners any_triangle(const SceneArrays& chain, Random& random) {
 }
 
 Exact3 exact_point(const lod::Point& p) {
-  const auto number = [](const lod::Rational& q) { return mpq_class(q.mpq()); };
+  const auto number = [](const Rational& q) { return mpq_class(q.mpq()); };
   return {number(p.x), number(p.y), number(p.z)};
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("a ray through corners, along edges and in faces is no ray to count by
     SceneArrays arrays;
     add(arrays, soup, 0);
     const Scene scene(arrays);
-    return lod::Chain(scene, all_ids(scene)).winding(numbers<lod::Rational>(p));
+    return lod::Chain(scene, all_ids(scene)).winding(numbers<Rational>(p));
   };
   // The first direction that is tried, from anywhere.
   const Vec3d d = winding(octahedron({0, 0, 0}, 1), {5, 5, 5}).direction;

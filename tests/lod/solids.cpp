@@ -1,4 +1,5 @@
 #include "tests/lod/solids.hpp"
+#include "tests/support/triangles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,12 +99,7 @@ Soup joined(Soup a, const Soup& b) {
 
 AddedIds add(SceneArrays& scene, const Soup& soup, std::uint8_t flags) {
   const AddedIds ids{static_cast<PrimitiveId>(scene.triangles.size()), static_cast<PrimitiveId>(soup.size())};
-  for (const Corners& t : soup) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    scene.vertices.insert(scene.vertices.end(), t.begin(), t.end());
-    scene.triangles.push_back({first, first + 1, first + 2});
-    scene.triangle_flags.push_back(flags);
-  }
+  for (const auto& [a, b, c] : soup) add_triangle(scene, a, b, c, flags);
   return ids;
 }
 

@@ -23,13 +23,7 @@ struct Loaded {
         detail({&full, "full"}, {&occluders, "occluders"}, {&shell, "shell"}, c.objects, one_thread()) {}
 
   CellSet look(const ViewCell& cell, CellMethod method, bool simplified) const {
-    CellOptions o;
-    o.method = method;
-    o.pixels = {4, 4};
-    o.viewpoints = 4;
-    o.directions = 1;
-    o.path_pixels = 2;
-    o.rays = 0;  // the lower set alone does not aim any
+    CellOptions o = small_options(method, 4, 0);  // the lower set alone aims no rays
     if (simplified) o.detail = &detail;
     return visible_from_cell(full, cell, o, one_thread());
   }
@@ -40,13 +34,6 @@ ViewCell near_cell(const DetailCase& c, Random& random) {
   if (random.chance(40)) return any_cell(c.full, random);
   const Vec3d edges{random.pick({0.0, 0.5, 1.0}), random.pick({0.5, 1.0}), random.pick({0.5, 1.0, 2.0})};
   return cell_around(c.full.view.eye, edges);
-}
-
-std::vector<PrimitiveId> hidden_among(const CellSet& upper, const std::vector<PrimitiveId>& seen) {
-  std::vector<PrimitiveId> wrong;
-  for (const PrimitiveId id : seen)
-    if (upper.set.status[id] == Status::hidden) wrong.push_back(id);
-  return wrong;
 }
 
 }  // namespace

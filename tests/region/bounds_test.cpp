@@ -15,22 +15,7 @@
 namespace provis::test {
 namespace {
 
-CellOptions small(CellMethod method) {
-  CellOptions o;
-  o.method = method;
-  o.pixels = {4, 4};
-  o.viewpoints = 2;
-  o.directions = 1;
-  o.path_pixels = 2;
-  return o;
-}
-
-std::vector<PrimitiveId> hidden_among(const CellSet& upper, const std::vector<PrimitiveId>& seen) {
-  std::vector<PrimitiveId> wrong;
-  for (const PrimitiveId id : seen)
-    if (upper.set.status[id] == Status::hidden) wrong.push_back(id);
-  return wrong;
-}
+CellOptions small(CellMethod method) { return small_options(method, 2, 64); }
 
 }  // namespace
 

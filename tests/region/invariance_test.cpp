@@ -12,15 +12,7 @@
 namespace provis::test {
 namespace {
 
-CellOptions small(CellMethod method) {
-  CellOptions o;
-  o.method = method;
-  o.pixels = {4, 4};
-  o.viewpoints = 4;
-  o.directions = 1;
-  o.path_pixels = 2;
-  return o;
-}
+CellOptions small(CellMethod method) { return small_options(method, 4, 64); }
 
 CellSet ask(const Case& c, const ViewCell& cell, CellMethod method, int threads = 1) {
   Context context;

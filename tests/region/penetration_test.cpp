@@ -6,6 +6,7 @@
 #include "tests/support/cells.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/generator.hpp"
+#include "tests/support/triangles.hpp"
 
 namespace provis::test {
 namespace {
@@ -40,13 +41,6 @@ std::size_t piercings(const SceneArrays& s) {
   return n;
 }
 
-void add(SceneArrays& s, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const auto first = static_cast<std::uint32_t>(s.vertices.size());
-  s.vertices.insert(s.vertices.end(), {a, b, c});
-  s.triangles.push_back({first, first + 1, first + 2});
-  s.triangle_flags.push_back(0);
-}
-
 /// Walls before a cell, spikes through them, and more behind; on whole numbers.
 Case penetrating(std::uint64_t seed) {
   Random random(seed + 0x9e57);
@@ -59,13 +53,14 @@ Case penetrating(std::uint64_t seed) {
                  half = random.pick({6.0, 12.0, 40.0});
     const Vec3d a{-half, -half, z - tilt}, b{half, -half, z + tilt}, d{half, half, z + tilt},
         e{-half, half, z - tilt};
-    add(c.arrays, a, b, d);
-    add(c.arrays, a, d, e);
+    add_triangle(c.arrays, a, b, d);
+    add_triangle(c.arrays, a, d, e);
   }
   const int spikes = random.between(1, 6);
   for (int k = 0; k < spikes; ++k) {
     const Vec3d tip = random.lattice(5) + Vec3d{0, 0, -6};
-    add(c.arrays, tip, tip + random.lattice(4) + Vec3d{0, 0, -5}, tip + random.lattice(4) + Vec3d{0, 0, -6});
+    add_triangle(c.arrays, tip, tip + random.lattice(4) + Vec3d{0, 0, -5},
+                 tip + random.lattice(4) + Vec3d{0, 0, -6});
   }
   return c;
 }

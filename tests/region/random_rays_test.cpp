@@ -9,6 +9,7 @@
 #include "tests/support/cells.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/generator.hpp"
+#include "tests/support/triangles.hpp"
 
 namespace provis::test {
 namespace {
@@ -60,12 +61,7 @@ TEST_CASE("what random rays prove is a proof, and is never called hidden") {
 TEST_CASE("rays find what is seen from a corner of the cell only, and are told apart from other stages") {
   // A wall with a post behind it, which only viewpoints beside the wall's edge see.
   SceneArrays arrays;
-  const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-    const auto first = static_cast<std::uint32_t>(arrays.vertices.size());
-    arrays.vertices.insert(arrays.vertices.end(), {a, b, c});
-    arrays.triangles.push_back({first, first + 1, first + 2});
-    arrays.triangle_flags.push_back(0);
-  };
+  const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) { add_triangle(arrays, a, b, c); };
   add({-90, -90, -2}, {0.99, -90, -2}, {0.99, 900, -2});
   add({-0.5, -1, -9}, {0.98, -1, -9}, {0.5, 1, -9});
   const Scene scene(arrays);

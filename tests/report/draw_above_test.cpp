@@ -6,6 +6,7 @@
 #include "provis/draw.hpp"
 #include "provis/error.hpp"
 #include "tests/report/image_pixels.hpp"
+#include "tests/support/triangles.hpp"
 
 using namespace provis;
 
@@ -26,10 +27,7 @@ Rgb at(const Image& image, double right, double behind) {
 Scene plan_scene() {
   SceneArrays arrays;
   const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-    const auto first = static_cast<std::uint32_t>(arrays.vertices.size());
-    arrays.vertices.insert(arrays.vertices.end(), {a, b, c});
-    arrays.triangles.push_back({first, first + 1, first + 2});
-    arrays.triangle_flags.push_back(0);
+    test::add_triangle(arrays, a, b, c);
   };
   add({0, 0, 0}, {4, 0, 0}, {0, 0, -4});
   add({10, 0, 0}, {14, 0, 0}, {10, 0, -4});

@@ -6,6 +6,7 @@
 
 #include "provis/error.hpp"
 #include "tests/segment/cases.hpp"
+#include "tests/support/triangles.hpp"
 
 namespace provis::test {
 namespace {
@@ -15,10 +16,7 @@ struct HandMade {
   SegmentView view{{-1, 0, 0}, {1, 0, 0}, {Frame{}}, {1, 1}};
 
   HandMade& add(const Vec3d& a, const Vec3d& b, const Vec3d& c, std::uint8_t flags = 0) {
-    const auto v = static_cast<std::uint32_t>(arrays.vertices.size());
-    arrays.vertices.insert(arrays.vertices.end(), {a, b, c});
-    arrays.triangles.push_back({v, v + 1, v + 2});
-    arrays.triangle_flags.push_back(flags);
+    add_triangle(arrays, a, b, c, flags);
     return *this;
   }
   /// Across the view at this z.

@@ -78,6 +78,13 @@ ViewCell any_cell(const Case& c, Random& random) {
   return cell;
 }
 
+std::vector<PrimitiveId> hidden_among(const CellSet& upper, const std::vector<PrimitiveId>& seen) {
+  std::vector<PrimitiveId> wrong;
+  for (const PrimitiveId id : seen)
+    if (upper.set.status[id] == Status::hidden) wrong.push_back(id);
+  return wrong;
+}
+
 std::string describe(const Case& c, const ViewCell& cell) {
   const auto point = [](const Vec3d& p) { return fmt::format("{:a} {:a} {:a}", p.x, p.y, p.z); };
   std::string text = describe(c) + "\ncell " + point(cell.lower) + "  " + point(cell.upper);

@@ -26,6 +26,21 @@ inline Context one_thread() {
   return context;
 }
 
+/// Little of everything.
+inline CellOptions small_options(CellMethod method, int viewpoints, int rays) {
+  CellOptions o;
+  o.method = method;
+  o.pixels = {4, 4};
+  o.viewpoints = viewpoints;
+  o.directions = 1;
+  o.path_pixels = 2;
+  o.rays = rays;
+  return o;
+}
+
+/// Of what was seen, what is called hidden: empty, or there is a mistake.
+std::vector<PrimitiveId> hidden_among(const CellSet& upper, const std::vector<PrimitiveId>& seen);
+
 /// The text form of a case with its cell.
 std::string describe(const Case& c, const ViewCell& cell);
 

@@ -3,6 +3,7 @@
 #include "tests/support/families.hpp"
 #include "tests/support/knobs.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/triangles.hpp"
 #include "tests/support/views.hpp"
 
 namespace provis::test {
@@ -51,10 +52,8 @@ Case random_soup(std::uint64_t seed, int n) {
   };
   for (int i = 0; i < n; ++i) {
     const Vec3d center = point(2);
-    const auto first = static_cast<std::uint32_t>(c.arrays.vertices.size());
-    for (int k = 0; k < 3; ++k) c.arrays.vertices.push_back(center + point(1));
-    c.arrays.triangles.push_back({first, first + 1, first + 2});
-    c.arrays.triangle_flags.push_back(0);
+    const Vec3d p = center + point(1), q = center + point(1), r = center + point(1);
+    add_triangle(c.arrays, p, q, r);
   }
   c.view.eye = random.chance(50) ? Vec3d{0, 0, 6} : point(1);
   c.view.frames = {Frame{}};

@@ -8,6 +8,7 @@
 #include "tests/support/generator.hpp"
 #include "tests/support/knobs.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/triangles.hpp"
 #include "tests/support/views.hpp"
 
 namespace provis::test {
@@ -178,11 +179,8 @@ void add_ties(Draft& d) {
   const int count = d.random.between(2, 3);
   for (int i = 0; i < count; ++i) {
     const Vec3d slant = d.random.lattice(2);
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    for (const Vec3d& corner : {at - 4.0 * way - slant, at + 4.0 * way - slant, at + slant})
-      scene.vertices.push_back(corner);
-    scene.triangles.push_back({first, first + 1, first + 2});
-    scene.triangle_flags.push_back(d.random.chance(25) ? see_through : 0);
+    add_triangle(scene, at - 4.0 * way - slant, at + 4.0 * way - slant, at + slant,
+                 d.random.chance(25) ? see_through : 0);
   }
 }
 

@@ -3,15 +3,13 @@
 
 #include "provis/scene.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/triangles.hpp"
 
 namespace provis::test {
 
 inline SceneArrays with(SceneArrays arrays, const Vec3d& a, const Vec3d& b, const Vec3d& c,
                         std::uint8_t flags = 0) {
-  const auto first = static_cast<std::uint32_t>(arrays.vertices.size());
-  arrays.vertices.insert(arrays.vertices.end(), {a, b, c});
-  arrays.triangles.push_back({first, first + 1, first + 2});
-  arrays.triangle_flags.push_back(flags);
+  add_triangle(arrays, a, b, c, flags);
   return arrays;
 }
 

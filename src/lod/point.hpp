@@ -1,18 +1,13 @@
 #pragma once
-// Points between the points of the input: exact numbers with division.
-
-#include <CGAL/Gmpq.h>
+// Points between the points of the input.
 
 #include "predicates/interval.hpp"
-#include "predicates/sign.hpp"
+#include "predicates/rational.hpp"
 #include "provis/vec3.hpp"
 
 namespace provis::lod {
 
-using Rational = CGAL::Gmpq;
 using Point = Vec3<Rational>;
-
-inline Sign sign_of(const Rational& x) { return static_cast<Sign>(static_cast<int>(CGAL::sign(x))); }
 
 /// Float64 numbers around it.
 inline Interval enclosed(const Rational& x) { return Interval(CGAL::to_interval(x)); }
