@@ -14,6 +14,7 @@
 #include "src/cli/cell_method.hpp"
 #include "src/cli/cell_place.hpp"
 #include "src/cli/detail_options.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/peak_memory.hpp"
 #include "src/cli/progress.hpp"
@@ -127,28 +128,16 @@ void CellCommand::add_to(CLI::App& command) {
   looking.add_to(command);
   simplified.add_to(command);
   how.add_to(command);
-  const char* output = "Output";
-  command
-      .add_option("--out", out, "Write the result as JSON, which 'provis draw' reads; '-' is standard output")
-      ->type_name("FILE")
-      ->group(output);
-  command
-      .add_option(
-          "--ids", ids,
-          "Write one visible id per line, ascending, with 'cos' also the undecided ones; '-' is standard "
-          "output")
-      ->type_name("FILE")
-      ->group(output);
-  command
-      .add_flag(
-          "--stats", stats,
-          "Print all counters and times of the stages, how many comparisons each tier of the arithmetic "
-          "decided, and the peak of memory")
-      ->group(output);
-  command
-      .add_flag("--witness", witness,
-                "Add to the result a verified proof for each visible primitive: a ray that sees it")
-      ->group(output);
+  const OptionGroup output(command, "Output");
+  output("--out", out, "FILE", "Write the result as JSON, which 'provis draw' reads; '-' is standard output");
+  output("--ids", ids, "FILE",
+         "Write one visible id per line, ascending, with 'cos' also the undecided ones; '-' is standard "
+         "output");
+  output("--stats", stats,
+         "Print all counters and times of the stages, how many comparisons each tier of the arithmetic "
+         "decided, and the peak of memory");
+  output("--witness", witness,
+         "Add to the result a verified proof for each visible primitive: a ray that sees it");
   command.footer(
       "What is called visible is seen from some point of the cell, and what is called hidden from none; what "
       "is\n"

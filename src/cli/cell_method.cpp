@@ -91,12 +91,11 @@ CellSet CellMethodOptions::answer(const Scene& scene, const ViewCell& cell, std:
 
 void CellMethodOptions::add_to(CLI::App& command) {
   const OptionGroup add(command, "How to compute");
-  add("--method", method, "",
+  add("--method", method, {"bounds", "lower", "cos", "cos-exact", "sampled"},
       "'bounds', what is proven visible and what is not proven hidden; 'lower', only what is proven "
       "visible; 'cos', what the camera offset space does not prove hidden; 'cos-exact', what its samples "
       "show, one direction in the centre of each pixel, exactly; 'sampled', what is seen from a grid of "
-      "viewpoints, in plain float64, for comparison only [bounds]")
-      ->check(CLI::IsMember({"bounds", "lower", "cos", "cos-exact", "sampled"}));
+      "viewpoints, in plain float64, for comparison only [bounds]");
   add("--cos-size", cos_size, "WxH",
       "Pixels of each raster of the camera offset space, five around each face, one with --dir; at most "
       "1024 each way: more hides more, and shows more with 'cos-exact' [200x100; 32x32 with "

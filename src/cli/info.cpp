@@ -10,6 +10,7 @@
 
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/run.hpp"
 #include "src/cli/scene_options.hpp"
@@ -97,23 +98,15 @@ void InfoCommand::print_ids(const Scene& scene) const {
 
 void InfoCommand::add_to(CLI::App& command) {
   source.add_to(command);
-  const char* ask = "What to tell";
-  command
-      .add_option(
-          "--source", id,
-          "Tell only where primitive ID came from: node, mesh, primitive and element of a glTF file, row "
-          "of a PLY file; and its corners, or its centre and radius")
-      ->type_name("ID")
-      ->group(ask);
-  command
-      .add_option(
-          "--ids-of", node,
-          "Tell only the ids of a glTF node, by its number in the file or its exact name, one "
-          "'first-last' to a line, without those of nodes below it; of several nodes of one name, the "
-          "ids of all")
-      ->type_name("NODE")
-      ->group(ask);
-  command.add_flag("--json", json, "JSON instead of text")->group(ask);
+  const OptionGroup ask(command, "What to tell");
+  ask("--source", id, "ID",
+      "Tell only where primitive ID came from: node, mesh, primitive and element of a glTF file, row "
+      "of a PLY file; and its corners, or its centre and radius");
+  ask("--ids-of", node, "NODE",
+      "Tell only the ids of a glTF node, by its number in the file or its exact name, one "
+      "'first-last' to a line, without those of nodes below it; of several nodes of one name, the "
+      "ids of all");
+  ask("--json", json, "JSON instead of text");
   command.footer(
       "An open edge belongs to one triangle only; a duplicate has the three corners of an earlier triangle.\n"
       "Positions are compared exactly, and triangles of zero area are passed over.\n\n"

@@ -112,14 +112,14 @@ void PathOptions::add_paths_to(CLI::App& command) {
   const OptionGroup add(command, group);
   add("--from", from, "x,y,z", "Where the camera starts, in scene units; with --to");
   add("--to", to, "x,y,z", "Where it ends; it moves straight there and does not turn");
-  add("--rect", rect, "P:U:V",
-      "Instead of --from and --to: the four sides of the parallelogram at the point P with sides U and V, "
-      "each of the "
-      "three as x,y,z in scene units; the answers are united")
-      ->excludes("--from", "--to");
-  add("--faces", faces, "N",
-      "6: a cube of square faces that sees all around; 1: a camera, with --dir or --right [6]")
-      ->check(CLI::IsMember({"1", "6"}));
+  exclude(add("--rect", rect, "P:U:V",
+              "Instead of --from and --to: the four sides of the parallelogram at the point P with sides U "
+              "and V, "
+              "each of the "
+              "three as x,y,z in scene units; the answers are united"),
+          {"--from", "--to"});
+  add("--faces", faces, {"1", "6"},
+      "6: a cube of square faces that sees all around; 1: a camera, with --dir or --right [6]");
 }
 
 void PathOptions::add_to(CLI::App& command) {

@@ -13,6 +13,7 @@
 #include "provis/result_file.hpp"
 #include "provis/witness.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/peak_memory.hpp"
 #include "src/cli/progress.hpp"
@@ -136,75 +137,39 @@ void PointCommand::run(Run& run) const {
 void PointCommand::add_to(CLI::App& command) {
   source.add_to(command);
   view.add_to(command);
-  const char* computing = "How to compute";
-  command
-      .add_option(
-          "--method", method,
-          "How the set is found: 'exact' decides every primitive; 'aggressive' finds, and proves, every "
-          "one that a pixel of --size shows a whole part of; 'sampled' looks along a regular grid of "
-          "rays and proves what it finds [exact]")
-      ->check(CLI::IsMember({"exact", "aggressive", "sampled"}))
-      ->type_name("")
-      ->group(computing);
-  command
-      .add_option("--samples", samples,
-                  "With --method sampled: N x N rays in each pixel of --size, 1 to 256 [1]")
-      ->type_name("N")
-      ->group(computing);
-  command
-      .add_option("--engine", engine,
-                  "With --method exact: 'fast', or 'paper', the algorithm of Popescu et al., which gives the "
-                  "same set and counts how it came to it [fast]")
-      ->check(CLI::IsMember({"fast", "paper"}))
-      ->type_name("")
-      ->group(computing);
-  command
-      .add_option(
-          "--arithmetic", arithmetic,
-          "How each comparison is computed: 'chain' is certain and fast, 'mpfr' and 'exact' are certain and "
-          "slow, 'doubles' is sometimes wrong and for comparison only [chain]")
-      ->check(CLI::IsMember({"chain", "doubles", "mpfr", "exact"}))
-      ->type_name("")
-      ->group(computing);
-  command
-      .add_flag(
-          "--check", check,
-          "With --arithmetic doubles: decide each comparison exactly too, and count those that were wrong; "
-          "the answer is that of the doubles")
-      ->group(computing);
-  command
-      .add_option("--threads", threads,
-                  "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]")
-      ->type_name("N")
-      ->group(computing);
-  const char* output = "Output";
-  command
-      .add_option("--out", out, "Write the result as JSON, which 'provis draw' reads; '-' is standard output")
-      ->type_name("FILE")
-      ->group(output);
-  command.add_option("--ids", ids, "Write one visible id per line, ascending; '-' is standard output")
-      ->type_name("FILE")
-      ->group(output);
-  command
-      .add_flag("--witness", witness,
-                "Add to the result a verified proof for each visible primitive: a ray that sees it")
-      ->group(output);
-  command
-      .add_flag(
-          "--subdivision", subdivision,
-          "Add to the result the pieces of the window in which one set of primitives is seen, with their "
-          "exact areas")
-      ->group(output);
-  command
-      .add_flag("--effects", effects,
-                "Print which effects of the scene the query simulates (culling, see-through surfaces, ...), "
-                "and why")
-      ->group(output);
-  command
-      .add_flag("--stats", stats,
-                "Print how many comparisons each tier of the arithmetic decided, the counters of the method, "
-                "and the peak of memory")
-      ->group(output);
+  const OptionGroup computing(command, "How to compute");
+  computing("--method", method, {"exact", "aggressive", "sampled"},
+            "How the set is found: 'exact' decides every primitive; 'aggressive' finds, and proves, every "
+            "one that a pixel of --size shows a whole part of; 'sampled' looks along a regular grid of "
+            "rays and proves what it finds [exact]");
+  computing("--samples", samples, "N",
+            "With --method sampled: N x N rays in each pixel of --size, 1 to 256 [1]");
+  computing("--engine", engine, {"fast", "paper"},
+            "With --method exact: 'fast', or 'paper', the algorithm of Popescu et al., which gives the "
+            "same set and counts how it came to it [fast]");
+  computing(
+      "--arithmetic", arithmetic, {"chain", "doubles", "mpfr", "exact"},
+      "How each comparison is computed: 'chain' is certain and fast, 'mpfr' and 'exact' are certain and "
+      "slow, 'doubles' is sometimes wrong and for comparison only [chain]");
+  computing("--check", check,
+            "With --arithmetic doubles: decide each comparison exactly too, and count those that were wrong; "
+            "the answer is that of the doubles");
+  computing("--threads", threads, "N",
+            "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]");
+  const OptionGroup output(command, "Output");
+  output("--out", out, "FILE", "Write the result as JSON, which 'provis draw' reads; '-' is standard output");
+  output("--ids", ids, "FILE", "Write one visible id per line, ascending; '-' is standard output");
+  output("--witness", witness,
+         "Add to the result a verified proof for each visible primitive: a ray that sees it");
+  output("--subdivision", subdivision,
+         "Add to the result the pieces of the window in which one set of primitives is seen, with their "
+         "exact areas");
+  output("--effects", effects,
+         "Print which effects of the scene the query simulates (culling, see-through surfaces, ...), "
+         "and why");
+  output("--stats", stats,
+         "Print how many comparisons each tier of the arithmetic decided, the counters of the method, "
+         "and the peak of memory");
   command.footer(
       "Without --out or --ids a summary of about ten lines goes to standard output.\n\n"
       "Examples:\n"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <limits>
 
@@ -31,14 +32,12 @@ void SceneOptions::add_to(CLI::App& command) {
   command.add_option("SCENE", file, "glTF 2.0 (.gltf, .glb) or PLY (.ply) file")
       ->required()
       ->type_name("FILE");
-  add("--sides", sides, "",
+  add("--sides", sides, {"material", "both"},
       "Sides that are seen and that occlude: 'material' follows the file's single-sided flags, 'both' treats "
-      "every surface as two-sided [material]")
-      ->check(CLI::IsMember({"material", "both"}));
-  add("--opacity", opacity, "",
+      "every surface as two-sided [material]");
+  add("--opacity", opacity, {"material", "all"},
       "What occludes: 'material' lets see-through surfaces be seen without occluding, 'all' makes everything "
-      "opaque [material]")
-      ->check(CLI::IsMember({"material", "all"}));
+      "opaque [material]");
   add("--scene", scene, "N", "Which scene of a glTF file, counted from 0 [the file's default]");
   add("--time", time, "T",
       "Pose the scene as it is at T seconds: a glTF file by one of its animations (before its begin and "
@@ -49,12 +48,9 @@ void SceneOptions::add_to(CLI::App& command) {
   add("--radius", radius, "R",
       "Take points that have no radius of their own as spheres of radius R, in scene units, above 0 [points "
       "are skipped]");
-  command
-      .add_flag(
-          "--skip-invalid", skip_invalid,
-          "Leave out broken primitives (an index out of range, a coordinate that is not finite, ...) and "
-          "list them, instead of failing")
-      ->group(group);
+  add("--skip-invalid", skip_invalid,
+      "Leave out broken primitives (an index out of range, a coordinate that is not finite, ...) and "
+      "list them, instead of failing");
   add("--perturb", perturb, "D",
       "Move each coordinate by a pseudo-random number from [-D, D], in scene units; D is at least the "
       "spacing "

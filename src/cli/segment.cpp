@@ -13,6 +13,7 @@
 #include "provis/error.hpp"
 #include "provis/result_file.hpp"
 #include "provis/witness.hpp"
+#include "src/cli/option_group.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/path_options.hpp"
 #include "src/cli/peak_memory.hpp"
@@ -179,51 +180,26 @@ void SegmentCommand::add_to(CLI::App& command) {
   source.add_to(command);
   path.add_to(command);
   method.add_to(command);
-  const char* output = "Output";
-  command
-      .add_option("--out", out, "Write the result as JSON, which 'provis draw' reads; '-' is standard output")
-      ->type_name("FILE")
-      ->group(output);
-  command.add_option("--ids", ids, "Write one visible id per line, ascending; '-' is standard output")
-      ->type_name("FILE")
-      ->group(output);
-  command
-      .add_option(
-          "--granularity", granularity,
-          "What --ids writes: 'triangle', the visible ones; 'object', all ids of every instance of a node's "
-          "mesh that has a visible one [triangle]")
-      ->check(CLI::IsMember({"triangle", "object"}))
-      ->type_name("")
-      ->group(output);
-  command
-      .add_option(
-          "--rank", rank,
-          "Write 'id pixels length' for each visible id, most important first: length is the visible share "
-          "of the segment, summed over pixels")
-      ->type_name("FILE")
-      ->group(output);
-  command
-      .add_option(
-          "--intervals", intervals,
-          "Write what each pixel's centre shows and from when to when, a line of JSON per pixel; times are "
-          "exact fractions of the segment. Long")
-      ->type_name("FILE")
-      ->group(output);
-  command
-      .add_flag(
-          "--witness", witness,
-          "Add to the result a verified proof for each visible primitive that is not at the boundary: a ray "
-          "that sees it")
-      ->group(output);
-  command
-      .add_flag("--effects", effects,
-                "Print which effects of the scene the query simulates (culling, see-through surfaces, ...), "
-                "and why")
-      ->group(output);
-  command
-      .add_flag("--stats", stats,
-                "Print how many comparisons each tier of the arithmetic decided, and the peak of memory")
-      ->group(output);
+  const OptionGroup output(command, "Output");
+  output("--out", out, "FILE", "Write the result as JSON, which 'provis draw' reads; '-' is standard output");
+  output("--ids", ids, "FILE", "Write one visible id per line, ascending; '-' is standard output");
+  output("--granularity", granularity, {"triangle", "object"},
+         "What --ids writes: 'triangle', the visible ones; 'object', all ids of every instance of a node's "
+         "mesh that has a visible one [triangle]");
+  output("--rank", rank, "FILE",
+         "Write 'id pixels length' for each visible id, most important first: length is the visible share "
+         "of the segment, summed over pixels");
+  output("--intervals", intervals, "FILE",
+         "Write what each pixel's centre shows and from when to when, a line of JSON per pixel; times are "
+         "exact fractions of the segment. Long");
+  output("--witness", witness,
+         "Add to the result a verified proof for each visible primitive that is not at the boundary: a ray "
+         "that sees it");
+  output("--effects", effects,
+         "Print which effects of the scene the query simulates (culling, see-through surfaces, ...), "
+         "and why");
+  output("--stats", stats,
+         "Print how many comparisons each tier of the arithmetic decided, and the peak of memory");
   command.footer(
       "The answer is exact at the centres of the pixels; between them a triangle may be missed, which --size "
       "and "

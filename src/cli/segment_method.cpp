@@ -66,25 +66,20 @@ SegmentSet SegmentMethod::answer(const Scene& scene, const SegmentView& view, Se
 
 void SegmentMethod::add_to(CLI::App& command) {
   const OptionGroup add(command, "How to compute");
-  add("--method", method, "",
+  add("--method", method, {"exact", "sampled"},
       "'exact': what is seen at any time; 'sampled': from --viewpoints single viewpoints, in plain float64, "
-      "for comparison only [exact]")
-      ->check(CLI::IsMember({"exact", "sampled"}));
+      "for comparison only [exact]");
   add("--viewpoints", viewpoints, "N",
       "With --method sampled: how many, 1 to 100000000, spread evenly along each segment");
-  add("--engine", engine, "",
+  add("--engine", engine, {"fast", "plain"},
       "'fast', or 'plain', the algorithm of Popescu et al., which tests every triangle and gives the same "
-      "sets [fast]")
-      ->check(CLI::IsMember({"fast", "plain"}));
-  add("--arithmetic", arithmetic, "",
+      "sets [fast]");
+  add("--arithmetic", arithmetic, {"chain", "doubles", "mpfr", "exact"},
       "How each comparison is computed: 'chain' is certain and fast, 'mpfr' and 'exact' are certain and "
-      "slow, 'doubles' is sometimes wrong and for comparison only [chain]")
-      ->check(CLI::IsMember({"chain", "doubles", "mpfr", "exact"}));
-  command
-      .add_flag("--check", check,
-                "With --arithmetic doubles: decide each comparison exactly too, and count those that were "
-                "wrong; the answer is that of the doubles")
-      ->group("How to compute");
+      "slow, 'doubles' is sometimes wrong and for comparison only [chain]");
+  add("--check", check,
+      "With --arithmetic doubles: decide each comparison exactly too, and count those that were "
+      "wrong; the answer is that of the doubles");
   add("--memory", memory, "MIB",
       "MiB that the pixels' lists may take before a segment is cut in two, 0 for no bound; never changes the "
       "answer [0]");

@@ -37,11 +37,10 @@ void ViewOptions::add_to(CLI::App& command) {
       "Pixels of the picture that the view stands for, 1 to 16384 each: an exact set depends on their ratio "
       "only, the window's width to height; the other methods look at every pixel (of an omni view: 1024x1024 "
       "for each face, unless it is given) [1280x720]");
-  add("--view", projection, "",
+  add("--view", projection, {"pinhole", "omni", "parallel"},
       "'pinhole': an eye and a window; 'omni': an eye that sees all around; 'parallel': an eye at infinity, "
       "the "
-      "window in scene units through --eye, and only what is in front of it [pinhole]")
-      ->check(CLI::IsMember({"pinhole", "omni", "parallel"}));
+      "window in scene units through --eye, and only what is in front of it [pinhole]");
   add("--window", window, "x0,x1,y0,y1",
       "Instead of --fovy and --size: the rectangle to look through, at distance 1. Rays run along forward + "
       "x "
@@ -51,10 +50,10 @@ void ViewOptions::add_to(CLI::App& command) {
       "at "
       "any angle, taken as exact, with --window");
   add("--forward", forward, "x,y,z", "See --right");
-  add("--views", views, "FILE:NAME",
-      "Instead of all these: the view called NAME of a JSON file of views; only --size may go with it")
-      ->excludes("--eye", "--dir", "--look-at", "--up", "--fovy", "--view", "--window", "--right",
-                 "--forward");
+  exclude(
+      add("--views", views, "FILE:NAME",
+          "Instead of all these: the view called NAME of a JSON file of views; only --size may go with it"),
+      {"--eye", "--dir", "--look-at", "--up", "--fovy", "--view", "--window", "--right", "--forward"});
 }
 
 PointView ViewOptions::view(const std::string& scene_file) const {
