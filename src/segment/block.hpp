@@ -83,7 +83,7 @@ class Block {
 
   const TimeRange& range() const { return range_; }
   const Envelope& envelope(std::size_t k) const { return envelopes_[k]; }
-  const std::vector<Facet>& facets() const { return events_.facets(); }
+  const std::vector<MovingFacet>& facets() const { return events_.facets(); }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row - task_->area.row) * static_cast<std::size_t>(task_->area.width) +
            static_cast<std::size_t>(column - task_->area.column);

@@ -39,7 +39,7 @@ template <Arithmetic A>
 Events<A>::~Events() = default;
 
 template <Arithmetic A>
-std::uint32_t Events<A>::add(Facet facet) {
+std::uint32_t Events<A>::add(MovingFacet facet) {
   if (check_) check_->add(facet);
   facets_.push_back(facet);
   return static_cast<std::uint32_t>(facets_.size() - 1);
@@ -92,7 +92,7 @@ std::optional<Span> Events<A>::span(const Pixel& at, const Centre& centre, std::
 template <Arithmetic A>
 typename Events<A>::Look Events<A>::quick_span(const Centre& c, std::uint32_t facet, const TimeRange& range,
                                                Span& span) const {
-  const Facet& f = facets_[facet];
+  const MovingFacet& f = facets_[facet];
   const double n = f.along.at(c.x, c.y), off = doubt(f.along.error);
   if (!(std::fabs(n) > off)) return Look::unclear;
   const bool back = n > 0;
@@ -157,7 +157,7 @@ typename Events<A>::Look Events<A>::quick_span(const Centre& c, std::uint32_t fa
 
 template <Arithmetic A>
 std::optional<Span> Events<A>::slow_span(const Pixel& at, std::uint32_t facet, const TimeRange& range) {
-  const Facet& f = facets_[facet];
+  const MovingFacet& f = facets_[facet];
   Span span{moment(range.begin), moment(range.end), {}};
   span.shown.facet = facet;
   span.shown.side = signs_.along(at, f.corners);

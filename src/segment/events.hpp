@@ -22,8 +22,8 @@ class Events {
   ~Events();
 
   const PathGeometry& path() const { return signs_.geometry(); }
-  const std::vector<Facet>& facets() const { return facets_; }
-  std::uint32_t add(Facet facet);
+  const std::vector<MovingFacet>& facets() const { return facets_; }
+  std::uint32_t add(MovingFacet facet);
   void clear();
 
   /// Where the facet is hit within the range; nothing where that is nowhere or for a moment only.
@@ -99,7 +99,7 @@ class Events {
   bool remembered(std::uint64_t kind, std::uint64_t a, std::uint64_t b, const Decide& decide);
 
   PathSigns<A> signs_;
-  std::vector<Facet> facets_;
+  std::vector<MovingFacet> facets_;
   std::unordered_map<std::uint64_t, bool> memory_;
   std::unique_ptr<SignCheck> check_;  ///< PathGeometry::checked
 };

@@ -19,8 +19,8 @@ WindowFunction function_of(const Vec3<Ball>& normal, const Frame& f, const Windo
 
 }  // namespace
 
-Facet make_facet(const Scene& scene, PrimitiveId id, const PathGeometry& path) {
-  Facet f;
+MovingFacet make_facet(const Scene& scene, PrimitiveId id, const PathGeometry& path) {
+  MovingFacet f;
   f.id = id;
   const std::uint8_t flags = scene.triangle_flags()[id];
   f.occludes = !(flags & see_through);
@@ -46,7 +46,7 @@ Facet make_facet(const Scene& scene, PrimitiveId id, const PathGeometry& path) {
   return f;
 }
 
-bool misses(const Facet& f, const Window& w, double begin, double end) {
+bool misses(const MovingFacet& f, const Window& w, double begin, double end) {
   const bool back = f.along.lowest(w) > 0;
   if (!back && !(f.along.highest(w) < 0)) return false;
   if (back && f.single_sided) return true;

@@ -17,7 +17,7 @@ struct MotionFunction {
   WindowFunction at_zero, slope;
 };
 
-struct Facet {
+struct MovingFacet {
   PrimitiveId id = 0;
   bool occludes = true, single_sided = false;
   Corners corners;
@@ -32,11 +32,11 @@ struct Facet {
 
 /// What functions of window coordinates lose because a pixel's centre is rounded too: it is off by 4 u of the
 /// window's extent each way (ERRORS.md, 9).
-Facet make_facet(const Scene& scene, PrimitiveId id, const PathGeometry& path);
+MovingFacet make_facet(const Scene& scene, PrimitiveId id, const PathGeometry& path);
 
 /// Whether the facet certainly has no hit at any centre inside the window while t is in [begin, end]: it
 /// shows a side that it does not have, or all of them pass one of its edges outside.
-bool misses(const Facet& f, const Window& w, double begin, double end);
+bool misses(const MovingFacet& f, const Window& w, double begin, double end);
 
 /// A pixel's centre, each coordinate off by at most 4 u of the window's extent.
 struct Centre {

@@ -4,7 +4,7 @@
 
 namespace provis {
 
-void SignCheck::add(Facet facet) {
+void SignCheck::add(MovingFacet facet) {
   // Its functions were rounded in another mode: without them every question goes to intervals and exact
   // numbers.
   facet.along.error = HUGE_VAL;

@@ -12,7 +12,7 @@ class SignCheck {
  public:
   explicit SignCheck(const PathGeometry& path) : certain_(path, counts_) {}
 
-  void add(Facet facet);
+  void add(MovingFacet facet);
   void clear() { certain_.clear(); }
 
   /// taken: null where the facet was said not to be hit. Wrong if it is, or from another moment or to another

@@ -19,7 +19,7 @@ struct Said {
 
 /// Everything a policy says about one drawing.
 template <Arithmetic A>
-Said answers(Family family, std::uint64_t seed, bool checked, SignCounts& counts) {
+Said answers(NearFamily family, std::uint64_t seed, bool checked, SignCounts& counts) {
   const std::conditional_t<A == Arithmetic::doubles, RoundNearest, RoundUp> guard;
   Drawing drawing(family, seed);
   drawing.input.geometry.checked = checked;
@@ -56,8 +56,8 @@ std::uint64_t wrong_sides(const SignCounts& counts) {
 
 TEST_CASE("checked: as many signs are wrong as differ from the exact ones, and none is changed") {
   std::uint64_t wrong = 0;
-  for (const Family family : families) {
-    for (const std::uint64_t seed : seeds(family == Family::extreme ? 1 : 20)) {
+  for (const NearFamily family : families) {
+    for (const std::uint64_t seed : seeds(family == NearFamily::extreme ? 1 : 20)) {
       INFO(name(family) << ", PROVIS_SEED=" << seed);
       SignCounts exact_counts, counts, unwatched;
       const Said exact = answers<Arithmetic::exact>(family, seed, false, exact_counts);
@@ -79,15 +79,15 @@ TEST_CASE("checked: certain policies are not watched, and have nothing to be cau
   for (const std::uint64_t seed : seeds(20)) {
     INFO("PROVIS_SEED=" << seed);
     SignCounts counts;
-    CHECK(answers<Arithmetic::chain>(Family::nudged, seed, true, counts).facing.size() == 2);
-    answers<Arithmetic::exact>(Family::nudged, seed, true, counts);
+    CHECK(answers<Arithmetic::chain>(NearFamily::nudged, seed, true, counts).facing.size() == 2);
+    answers<Arithmetic::exact>(NearFamily::nudged, seed, true, counts);
     CHECK(counts.wrong == SignCounts{}.wrong);
   }
 }
 
 TEST_CASE("checked: the rounding mode is as before") {
   const RoundNearest guard;
-  Drawing drawing(Family::grid, 1);
+  Drawing drawing(NearFamily::grid, 1);
   drawing.input.geometry.checked = true;
   SignCounts counts;
   Signs<Arithmetic::doubles> signs(drawing.input.geometry, counts);

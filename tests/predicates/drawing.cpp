@@ -2,7 +2,7 @@
 
 namespace provis::test {
 
-Drawing::Drawing(Family family, std::uint64_t seed)
+Drawing::Drawing(NearFamily family, std::uint64_t seed)
     : input(make_input(family, seed)), reference(input.geometry), random_(~seed) {
   make_edges_and_borders();
   make_depth_lines();

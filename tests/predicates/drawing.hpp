@@ -13,7 +13,7 @@ namespace provis::test {
 /// Keeps what lines and directions point into, so it stays where it is.
 class Drawing {
  public:
-  Drawing(Family family, std::uint64_t seed);
+  Drawing(NearFamily family, std::uint64_t seed);
   Drawing(const Drawing&) = delete;
   Drawing& operator=(const Drawing&) = delete;
 

@@ -110,7 +110,7 @@ TEST_CASE("filter: decides at least 99.99 % of the signs of generic input, whate
   SignCounts counts;
   const std::uint64_t cases = std::max<std::uint64_t>(2000, case_count());
   for (std::uint64_t seed = 0; seed < cases; ++seed) {
-    const Input in = make_input(Family::generic, seed);
+    const Input in = make_input(NearFamily::generic, seed);
     Questions(in, counts).ask();
   }
   // Those of Signs; the filter of what happens along a segment is its engine's, and tests/segment has its

@@ -22,8 +22,8 @@ N sign_number(Sign s) { return N(static_cast<int>(s)); }
 
 template <class Check>
 void for_inputs(const Check& check) {
-  for (const Family family : families) DYNAMIC_SECTION(name(family)) {
-      for (const std::uint64_t seed : seeds(family == Family::extreme ? 1 : 10)) {
+  for (const NearFamily family : families) DYNAMIC_SECTION(name(family)) {
+      for (const std::uint64_t seed : seeds(family == NearFamily::extreme ? 1 : 10)) {
         INFO("PROVIS_SEED=" << seed);
         check(make_input(family, seed));
       }
@@ -161,7 +161,8 @@ TEST_CASE("front: the window's plane against a triangle changes sign where the t
 }
 
 TEST_CASE("degrees: all lengths times 2^k multiply each value by 2^(k degree)") {
-  for (const Family family : {Family::generic, Family::grid, Family::nudged, Family::mixed})
+  for (const NearFamily family :
+       {NearFamily::generic, NearFamily::grid, NearFamily::nudged, NearFamily::mixed})
     for (const std::uint64_t seed : seeds(10)) {
       INFO(name(family) << ", PROVIS_SEED=" << seed);
       const int k = 1 + static_cast<int>(seed % 3) * 20;  // upwards, so that nudged zeros do not underflow

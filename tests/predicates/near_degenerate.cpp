@@ -119,54 +119,54 @@ void scale_points(Draft& d, Random& r) {
     for_each_number(*v, [&](double& x) { x = std::ldexp(x, frame); });
 }
 
-void fill(Draft& d, Family family, Random& r) {
+void fill(Draft& d, NearFamily family, Random& r) {
   switch (family) {
-    case Family::generic:
+    case NearFamily::generic:
       return fill_generic(d, r);
-    case Family::grid:
+    case NearFamily::grid:
       return fill_grid(d, r);
-    case Family::coincident:
+    case NearFamily::coincident:
       return fill_coincident(d, r);
-    case Family::same_ray:
+    case NearFamily::same_ray:
       return fill_same_ray(d, r);
-    case Family::coplanar:
+    case NearFamily::coplanar:
       return fill_flat(d, r, false);
-    case Family::collinear:
+    case NearFamily::collinear:
       return fill_flat(d, r, true);
-    case Family::proportional:
+    case NearFamily::proportional:
       return fill_proportional(d, r);
-    case Family::nudged:
+    case NearFamily::nudged:
       fill_grid(d, r);
       return nudge_all(d, r);
-    case Family::far_away:
+    case NearFamily::far_away:
       return move_away(d, r);
-    case Family::scaled:
-      fill(d, r.pick({Family::generic, Family::grid, Family::coplanar, Family::nudged}), r);
+    case NearFamily::scaled:
+      fill(d, r.pick({NearFamily::generic, NearFamily::grid, NearFamily::coplanar, NearFamily::nudged}), r);
       return scale_points(d, r);
-    case Family::mixed:
+    case NearFamily::mixed:
       return for_each_vector(d, [&](Vec3d& v) {
         for_each_number(v, [&](double& x) { x = std::ldexp(uniform(r), r.between(-60, 60)); });
       });
-    case Family::subnormal:
+    case NearFamily::subnormal:
       fill_grid(d, r);
       for_each_number(d.eye, [&](double& x) { x = std::ldexp(x, -1074); });
       for (Vec3d& p : d.points) for_each_number(p, [&](double& x) { x = std::ldexp(x, -1074); });
       return;
-    case Family::extreme:
+    case NearFamily::extreme:
       return for_each_vector(d, [&](Vec3d& v) { for_each_number(v, [&](double& x) { x = any_number(r); }); });
   }
 }
 
 }  // namespace
 
-std::string_view name(Family family) {
+std::string_view name(NearFamily family) {
   constexpr std::string_view names[] = {"generic",   "grid",         "coincident", "same_ray", "coplanar",
                                         "collinear", "proportional", "nudged",     "far_away", "scaled",
                                         "mixed",     "subnormal",    "extreme"};
   return names[static_cast<std::size_t>(family)];
 }
 
-Input make_input(Family family, std::uint64_t seed) {
+Input make_input(NearFamily family, std::uint64_t seed) {
   const RoundNearest guard;
   Random r(seed * std::size(families) + static_cast<std::uint64_t>(family));
   for (;;) {
@@ -176,7 +176,7 @@ Input make_input(Family family, std::uint64_t seed) {
     try {
       Input in{make_geometry(d.eye, d.frame, d.at_infinity), d.points, {}, {}};
       for (double& x : in.at) x = r.chance(50) ? double(r.between(-4, 4)) / 4 : uniform(r);
-      if (family == Family::extreme) in.at[0] = any_number(r);
+      if (family == NearFamily::extreme) in.at[0] = any_number(r);
       do in.given = r.chance(50) ? r.lattice(2) : d.points[0] - d.eye;
       while (!(std::fabs(in.given.x) + std::fabs(in.given.y) + std::fabs(in.given.z) > 0) ||
              !(std::fabs(in.given.x) < HUGE_VAL && std::fabs(in.given.y) < HUGE_VAL &&

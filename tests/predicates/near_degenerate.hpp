@@ -12,7 +12,7 @@
 
 namespace provis::test {
 
-enum class Family {
+enum class NearFamily {
   generic,       ///< independent, uniform: nothing degenerate
   grid,          ///< small integers: many exact zeros
   coincident,    ///< few distinct positions; the eye may be one of them
@@ -28,12 +28,13 @@ enum class Family {
   extreme,       ///< every coordinate with an exponent of its own, any
 };
 
-inline constexpr Family families[] = {
-    Family::generic,   Family::grid,         Family::coincident, Family::same_ray, Family::coplanar,
-    Family::collinear, Family::proportional, Family::nudged,     Family::far_away, Family::scaled,
-    Family::mixed,     Family::subnormal,    Family::extreme};
+inline constexpr NearFamily families[] = {
+    NearFamily::generic,  NearFamily::grid,      NearFamily::coincident,   NearFamily::same_ray,
+    NearFamily::coplanar, NearFamily::collinear, NearFamily::proportional, NearFamily::nudged,
+    NearFamily::far_away, NearFamily::scaled,    NearFamily::mixed,        NearFamily::subnormal,
+    NearFamily::extreme};
 
-std::string_view name(Family family);
+std::string_view name(NearFamily family);
 
 /// What a test case starts from.
 struct Input {
@@ -44,7 +45,7 @@ struct Input {
 };
 
 /// The input with this seed: the same on every machine, in every rounding mode.
-Input make_input(Family family, std::uint64_t seed);
+Input make_input(NearFamily family, std::uint64_t seed);
 
 /// Moves to a neighbouring float64 number, or not at all.
 double nudged(double x, Random& random);

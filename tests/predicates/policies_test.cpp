@@ -24,7 +24,7 @@ std::uint64_t total(const SignCounts& c, Tier t) {
 
 /// Everything a policy says about one drawing, in order.
 template <Arithmetic A>
-std::vector<Sign> answers(Family family, std::uint64_t seed, SignCounts& counts) {
+std::vector<Sign> answers(NearFamily family, std::uint64_t seed, SignCounts& counts) {
   const std::conditional_t<A == Arithmetic::doubles, RoundNearest, RoundUp> guard;
   Drawing drawing(family, seed);
   Signs<A> signs(drawing.input.geometry, counts);
@@ -44,10 +44,10 @@ std::vector<Sign> answers(Family family, std::uint64_t seed, SignCounts& counts)
 }  // namespace
 
 TEST_CASE("policies: chain, mpfr and exact agree, and doubles ends") {
-  for (const Family family : families) DYNAMIC_SECTION(name(family)) {
+  for (const NearFamily family : families) DYNAMIC_SECTION(name(family)) {
       // Precision has to grow until nothing is rounded, which takes long where exponents are all over the
       // range.
-      for (const std::uint64_t seed : seeds(family == Family::extreme ? 1 : 50)) {
+      for (const std::uint64_t seed : seeds(family == NearFamily::extreme ? 1 : 50)) {
         INFO("PROVIS_SEED=" << seed);
         SignCounts chain, mpfr, exact, doubles;
         const std::vector<Sign> expected = answers<Arithmetic::exact>(family, seed, exact);
@@ -65,7 +65,7 @@ TEST_CASE("policies: the quick answer is right or absent, and always there for t
   for (const std::uint64_t seed : seeds(50)) {
     INFO("PROVIS_SEED=" << seed);
     const RoundUp guard;
-    Drawing drawing(Family::nudged, seed);
+    Drawing drawing(NearFamily::nudged, seed);
     SignCounts counts;
     Signs<Arithmetic::chain> chain(drawing.input.geometry, counts);
     Signs<Arithmetic::exact> exact(drawing.input.geometry, counts);
@@ -82,9 +82,9 @@ TEST_CASE("policies: plain doubles are wrong now and then, which is what they ar
   std::size_t wrong = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SignCounts counts;
-    const auto rounded = answers<Arithmetic::doubles>(Family::coplanar, seed, counts);
+    const auto rounded = answers<Arithmetic::doubles>(NearFamily::coplanar, seed, counts);
     counts = {};
-    const auto exact = answers<Arithmetic::exact>(Family::coplanar, seed, counts);
+    const auto exact = answers<Arithmetic::exact>(NearFamily::coplanar, seed, counts);
     for (std::size_t k = 0; k < exact.size(); ++k) wrong += rounded[k] != exact[k];
   }
   CHECK(wrong > 0);

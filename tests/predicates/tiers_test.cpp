@@ -38,7 +38,7 @@ void check_slow_tiers(const ViewGeometry& g, const Line& line, const Direction& 
   CHECK(sign_of(value_at<ExactNumber>(g, line, direction)) == truth);
 }
 
-void check_sides(Family family, std::uint64_t seed) {
+void check_sides(NearFamily family, std::uint64_t seed) {
   Drawing drawing(family, seed);
   const ViewGeometry& g = drawing.input.geometry;
   SignCounts counts;
@@ -74,7 +74,7 @@ void check_value(const Formula& formula, Sign truth) {
   CHECK(sign_of(formula.template operator()<ExactNumber>()) == truth);
 }
 
-void check_facing_and_front(Family family, std::uint64_t seed) {
+void check_facing_and_front(NearFamily family, std::uint64_t seed) {
   const Input in = make_input(family, seed);
   const Reference reference(in.geometry);
   const Vec3d &a = in.points[0], &b = in.points[1], &c = in.points[2], &p = in.points[6];
@@ -83,7 +83,7 @@ void check_facing_and_front(Family family, std::uint64_t seed) {
   check_value([&]<class N>() { return beyond_window<N>(in.geometry, p); }, reference.front(p));
 }
 
-void check_vanishing(Family family, std::uint64_t seed) {
+void check_vanishing(NearFamily family, std::uint64_t seed) {
   Drawing drawing(family, seed);
   SignCounts counts;
   for (Line& line : drawing.lines) {
@@ -102,9 +102,9 @@ void check_vanishing(Family family, std::uint64_t seed) {
 
 template <class Check>
 void for_families(const Check& check) {
-  for (const Family family : families) DYNAMIC_SECTION(name(family)) {
+  for (const NearFamily family : families) DYNAMIC_SECTION(name(family)) {
       // Exponents all over the range make every exact number thousands of bits long.
-      for (const std::uint64_t seed : seeds(family == Family::extreme ? 10 : 100)) {
+      for (const std::uint64_t seed : seeds(family == NearFamily::extreme ? 10 : 50)) {
         INFO("PROVIS_SEED=" << seed);
         check(family, seed);
       }

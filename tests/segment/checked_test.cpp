@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "provis/check_doubles.hpp"
-#include "tests/segment/cases.hpp"
+#include "tests/segment/engine_cases.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/random.hpp"
 
@@ -27,7 +27,7 @@ SegmentOptions doubles() {
 
 TEST_CASE("checked doubles answer as unchecked ones, by the same signs") {
   for (const std::uint64_t seed : seeds(20)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
     const Scene scene(c.scene.arrays);
     const SegmentSet plain = visible_from_segment(scene, c.view, doubles());
@@ -73,7 +73,7 @@ TEST_CASE("in general position no sign along a segment is wrong") {
 TEST_CASE("a wrong set along a segment has wrong signs behind it") {
   std::size_t wrong_sets = 0, clean = 0, cases = 0;
   for (const std::uint64_t seed : seeds(40)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
     const Scene scene(c.scene.arrays);
     const SegmentSet checked = check_doubles(scene, c.view);
@@ -92,7 +92,7 @@ TEST_CASE("wrong signs along a segment do not depend on the threads") {
   one.threads = 1;
   many.threads = 7;
   for (const std::uint64_t seed : seeds(4)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
     const Scene scene(c.scene.arrays);
     CHECK(check_doubles(scene, c.view, one).set.stats.signs.wrong ==

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/segment/cases.hpp"
+#include "tests/segment/engine_cases.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/generator.hpp"
 #include "tests/support/transform.hpp"
@@ -26,10 +26,10 @@ SegmentOptions with(SegmentEngine engine, Arithmetic arithmetic = Arithmetic::ch
 TEST_CASE("the fast engine gives the plain engine's sets, lists and counts") {
   std::size_t visible = 0, boundary = 0;
   for (const std::uint64_t seed : seeds(40)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
     const Scene scene(c.scene.arrays);
-    const SegmentAnswer plain = answer(scene, c.view, with(SegmentEngine::plain));
+    const PrintedAnswer plain = answer(scene, c.view, with(SegmentEngine::plain));
     REQUIRE(answer(scene, c.view, with(SegmentEngine::fast)) == plain);
     visible += plain.visible.size();
     boundary += plain.boundary.size();
@@ -51,7 +51,7 @@ TEST_CASE("the engines agree on soups of hundreds of triangles and thousands of 
 
 TEST_CASE("exact numbers throughout give the chain's answer") {
   for (const std::uint64_t seed : seeds(10)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
     const Scene scene(c.scene.arrays);
     REQUIRE(answer(scene, c.view, with(SegmentEngine::fast, Arithmetic::exact)) ==
@@ -61,7 +61,7 @@ TEST_CASE("exact numbers throughout give the chain's answer") {
 
 TEST_CASE("MPFR throughout gives the chain's answer") {
   for (const std::uint64_t seed : seeds(2)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
     const Scene scene(c.scene.arrays);
     REQUIRE(answer(scene, c.view, with(SegmentEngine::plain, Arithmetic::mpfr)) ==
@@ -71,10 +71,10 @@ TEST_CASE("MPFR throughout gives the chain's answer") {
 
 TEST_CASE("a path that is cut in parts to save memory gives the same lists") {
   for (const std::uint64_t seed : seeds(10)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
     const Scene scene(c.scene.arrays);
-    const SegmentAnswer whole = answer(scene, c.view);
+    const PrintedAnswer whole = answer(scene, c.view);
     for (const SegmentEngine engine : {SegmentEngine::fast, SegmentEngine::plain})
       REQUIRE(answer(scene, c.view, with(engine, Arithmetic::chain, 20000)) == whole);
   }
@@ -83,7 +83,7 @@ TEST_CASE("a path that is cut in parts to save memory gives the same lists") {
 TEST_CASE("plain doubles end on every case, claim nothing, and are sometimes wrong") {
   std::size_t wrong = 0;
   for (const std::uint64_t seed : seeds(20)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
     const Scene scene(c.scene.arrays);
     const SegmentSet set =
@@ -97,9 +97,9 @@ TEST_CASE("plain doubles end on every case, claim nothing, and are sometimes wro
 
 TEST_CASE("permuting triangles or corners, or splitting vertices, changes no list") {
   for (const std::uint64_t seed : seeds(4)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
-    const SegmentAnswer original = answer(Scene(c.scene.arrays), c.view);
+    const PrintedAnswer original = answer(Scene(c.scene.arrays), c.view);
     REQUIRE(answer(Scene(rotate_corners(c.scene, seed).changed.arrays), c.view) == original);
     REQUIRE(answer(Scene(split_vertices(c.scene).changed.arrays), c.view) == original);
     const Variant permuted = permute_triangles(c.scene, seed);

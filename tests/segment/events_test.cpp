@@ -8,7 +8,7 @@
 #include "predicates/environment.hpp"
 #include "src/segment/events.hpp"
 #include "src/segment/exact_event.hpp"
-#include "tests/segment/cases.hpp"
+#include "tests/segment/engine_cases.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/generator.hpp"
 #include "tests/support/random.hpp"
@@ -43,12 +43,12 @@ Sign order(const PathGeometry& g, const Pixel& at, const Motion& first, const Mo
 }
 
 struct Setting {
-  SegmentCase c;
+  EngineCase c;
   Scene scene;
   PathGeometry path;
 
   explicit Setting(std::uint64_t seed)
-      : c(generate_segment(seed)),
+      : c(generate_engine_case(seed)),
         scene(c.scene.arrays),
         path{c.view.from, c.view.to, c.view.frames.front(), c.view.pixels} {}
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "provis/error.hpp"
-#include "tests/segment/cases.hpp"
+#include "tests/segment/engine_cases.hpp"
 #include "tests/support/triangles.hpp"
 
 namespace provis::test {

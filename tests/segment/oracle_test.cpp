@@ -46,13 +46,13 @@ TEST_CASE("generated segments have what each planted mistake gets wrong") {
        {SegmentPlant::drop_an_occluder, SegmentPlant::flip_a_tie, SegmentPlant::use_an_epsilon,
         SegmentPlant::forget_camera_event, SegmentPlant::forget_crossings}) {
     int different = 0;
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    for (std::uint64_t seed = 0; seed < 150 && different < 5; ++seed) {
       const SegmentCase c = generate_segment(seed);
       const auto pixels = [&](SegmentPlant p) { return oracle_along(c.start.arrays, c.view(), p).pixels; };
       different += pixels(plant) != pixels(SegmentPlant::none);
     }
     INFO("plant " << static_cast<int>(plant));
-    CHECK(different >= 5);
+    CHECK(different == 5);
   }
 }
 

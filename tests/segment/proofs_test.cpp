@@ -7,7 +7,7 @@
 
 #include "provis/error.hpp"
 #include "provis/witness.hpp"
-#include "tests/segment/cases.hpp"
+#include "tests/segment/engine_cases.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/generator.hpp"
 
@@ -52,7 +52,7 @@ bool refused(const Scene& scene, const SegmentView& view, const SegmentSet& set)
 TEST_CASE("every primitive of R10° has a witness that holds") {
   std::size_t held = 0;
   for (const std::uint64_t seed : seeds(10)) {
-    const SegmentCase c = generate_segment(seed);
+    const EngineCase c = generate_engine_case(seed);
     INFO(describe(c));
     const Scene scene(c.scene.arrays);
     const SegmentSet set = proven(scene, c.view);
@@ -110,7 +110,7 @@ TEST_CASE("1, 2 and 7 threads give the same lists, measures and witnesses") {
     context.threads = threads;
     return answer(scene, view, {}, context);
   };
-  const SegmentAnswer one = run(1);
+  const PrintedAnswer one = run(1);
   CHECK(run(2) == one);
   CHECK(run(7) == one);
   const SegmentSet first = proven(scene, view, 1), other = proven(scene, view, 7);

@@ -53,7 +53,7 @@ class FrameMap {
 
   /// What the window shows of triangle t, mapped and cut into triangles; nothing where it is edge-on or
   /// culled.
-  std::vector<Surface> surfaces(const SceneArrays& scene, PrimitiveId t) const;
+  std::vector<EnvelopeTriangle> surfaces(const SceneArrays& scene, PrimitiveId t) const;
 
  private:
   Vector along_frame(const Vector& d) const {
@@ -74,7 +74,7 @@ class FrameMap {
   Window window_;
 };
 
-std::vector<Surface> FrameMap::surfaces(const SceneArrays& scene, PrimitiveId t) const {
+std::vector<EnvelopeTriangle> FrameMap::surfaces(const SceneArrays& scene, PrimitiveId t) const {
   Vector at[3];
   for (std::size_t k = 0; k < 3; ++k) at[k] = exact(scene.vertices[scene.triangles[t][k]]) - eye_;
   const Number facing = dot(cross(at[1] - at[0], at[2] - at[0]), parallel_ ? forward_ : at[0]);
@@ -82,7 +82,7 @@ std::vector<Surface> FrameMap::surfaces(const SceneArrays& scene, PrimitiveId t)
   if (facing == 0 || culled) return {};
 
   const Ring ring = cut_to_window({along_frame(at[0]), along_frame(at[1]), along_frame(at[2])});
-  std::vector<Surface> fan;
+  std::vector<EnvelopeTriangle> fan;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
     const std::array<Number, 3> a = mapped(ring[0]), b = mapped(ring[i]), c = mapped(ring[i + 1]);
     const Number area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -109,10 +109,10 @@ Ring FrameMap::cut_to_window(Ring ring) const {
 /// Adds what is visible through one frame. A see-through triangle is visible iff it shows up among the
 /// occluders when it is added to them alone.
 void look_through(const SceneArrays& scene, const FrameMap& map, std::set<unsigned>& visible) {
-  std::vector<Surface> occluders;
-  std::vector<std::vector<Surface>> see_through_ones;
+  std::vector<EnvelopeTriangle> occluders;
+  std::vector<std::vector<EnvelopeTriangle>> see_through_ones;
   for (PrimitiveId t = 0; t < scene.triangles.size(); ++t) {
-    const std::vector<Surface> shown = map.surfaces(scene, t);
+    const std::vector<EnvelopeTriangle> shown = map.surfaces(scene, t);
     if (shown.empty()) continue;
     if ((scene.triangle_flags[t] & see_through) != 0) {
       see_through_ones.push_back(shown);
@@ -121,8 +121,8 @@ void look_through(const SceneArrays& scene, const FrameMap& map, std::set<unsign
     }
   }
   visible.merge(lowest(occluders));
-  for (const std::vector<Surface>& one : see_through_ones) {
-    std::vector<Surface> with_it = occluders;
+  for (const std::vector<EnvelopeTriangle>& one : see_through_ones) {
+    std::vector<EnvelopeTriangle> with_it = occluders;
     with_it.insert(with_it.end(), one.begin(), one.end());
     if (lowest(with_it).count(one.front().id) != 0) visible.insert(one.front().id);
   }

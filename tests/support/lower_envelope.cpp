@@ -23,9 +23,9 @@ Kernel::Point_3 point(const std::array<mpq_class, 3>& p) {
 
 }  // namespace
 
-std::set<unsigned> lowest(const std::vector<Surface>& surfaces) {
+std::set<unsigned> lowest(const std::vector<EnvelopeTriangle>& surfaces) {
   std::list<Traits::Xy_monotone_surface_3> input;
-  for (const Surface& s : surfaces) {
+  for (const EnvelopeTriangle& s : surfaces) {
     const TriangleTraits::Surface_3 triangle(point(s.corners[0]), point(s.corners[1]), point(s.corners[2]));
     input.emplace_back(triangle, s.id);
   }

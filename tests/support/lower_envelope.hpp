@@ -10,13 +10,13 @@
 namespace provis::test {
 
 /// A triangle in space, none of it vertical, with the id of what it belongs to.
-struct Surface {
+struct EnvelopeTriangle {
   std::array<std::array<mpq_class, 3>, 3> corners;
   unsigned id = 0;
 };
 
 /// The ids that appear on the faces of the lower envelope over the plane z = 0; a face has positive area.
 /// Throws what CGAL throws where one of its assertions fails.
-std::set<unsigned> lowest(const std::vector<Surface>& surfaces);
+std::set<unsigned> lowest(const std::vector<EnvelopeTriangle>& surfaces);
 
 }  // namespace provis::test

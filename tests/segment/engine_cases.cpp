@@ -1,4 +1,4 @@
-#include "tests/segment/cases.hpp"
+#include "tests/segment/engine_cases.hpp"
 
 #include <sstream>
 
@@ -7,8 +7,8 @@
 
 namespace provis::test {
 
-SegmentCase generate_segment(std::uint64_t seed) {
-  SegmentCase c{generate(seed), {}};
+EngineCase generate_engine_case(std::uint64_t seed) {
+  EngineCase c{generate(seed), {}};
   Random random(seed ^ 0x5e6e47u);
   const PointView& view = c.scene.view;
   c.view.frames = view.frames;
@@ -44,7 +44,7 @@ SegmentCase generate_segment(std::uint64_t seed) {
   return c;
 }
 
-std::string describe(const SegmentCase& c) {
+std::string describe(const EngineCase& c) {
   std::ostringstream out;
   out << std::hexfloat << "from " << c.view.from.x << ' ' << c.view.from.y << ' ' << c.view.from.z << " to "
       << c.view.to.x << ' ' << c.view.to.y << ' ' << c.view.to.z << ", " << c.view.pixels.width << 'x'
@@ -53,9 +53,9 @@ std::string describe(const SegmentCase& c) {
   return out.str();
 }
 
-SegmentAnswer answer(const Scene& scene, const SegmentView& view, SegmentOptions options,
+PrintedAnswer answer(const Scene& scene, const SegmentView& view, SegmentOptions options,
                      const Context& context) {
-  SegmentAnswer a;
+  PrintedAnswer a;
   options.on_pixel = [&](const PixelSights& p) {
     std::ostringstream line;
     line << p.frame << ' ' << p.column << ' ' << p.row << ':';

@@ -8,26 +8,26 @@
 
 namespace provis::test {
 
-struct SegmentCase {
+struct EngineCase {
   Case scene;  ///< its view is not used
   SegmentView view;
 };
 
 /// A generated scene, a path near its eye that often lies in planes and along edges, few pixels.
-SegmentCase generate_segment(std::uint64_t seed);
+EngineCase generate_engine_case(std::uint64_t seed);
 
-std::string describe(const SegmentCase& c);
+std::string describe(const EngineCase& c);
 
 /// Everything of an answer but costs and rounded lengths.
-struct SegmentAnswer {
+struct PrintedAnswer {
   std::vector<PrimitiveId> visible, boundary;
   std::vector<std::uint64_t> pixels;
   std::vector<std::string> sights;  ///< a line per pixel
 
-  friend bool operator==(const SegmentAnswer&, const SegmentAnswer&) = default;
+  friend bool operator==(const PrintedAnswer&, const PrintedAnswer&) = default;
 };
 
-SegmentAnswer answer(const Scene& scene, const SegmentView& view, SegmentOptions options = {},
+PrintedAnswer answer(const Scene& scene, const SegmentView& view, SegmentOptions options = {},
                      const Context& context = {});
 
 }  // namespace provis::test
