@@ -50,7 +50,7 @@ Gap TriangleAndBox::along(const Vector& vector) const {
 }
 
 inline bool TriangleAndBox::separated(Gap at_least) const {
-  const auto& [a, b, c] = triangle;
+  const Vec3d &a = triangle[0], &b = triangle[1], &c = triangle[2];
   if (along([&]<class N>() { return cross(numbers<N>(b) - numbers<N>(a), numbers<N>(c) - numbers<N>(a)); }) >=
       at_least)
     return true;

@@ -155,7 +155,7 @@ TEST_CASE("draw: a row over time refuses what it cannot show") {
   nlohmann::json other = nlohmann::json::parse(whole);
   other["visible"] = {0};
   other["counts"] = {{"visible", 1}, {"hidden", 3}, {"undecided", 0}};
-  other["seen"] = {other["seen"][0]};
+  other["seen"] = nlohmann::json::array({nlohmann::json(other["seen"][0])});
   std::ofstream(drawn.result) << other.dump();
   refused({"--epi", drawn.epi, "--row", "13", "--face", "5"}, 2, "does not hold primitive");
   REQUIRE(

@@ -63,7 +63,7 @@ TEST_CASE("a sample shows what clipping in the offset rectangle leaves over") {
 
 TEST_CASE("all samples of a cell show what clipping leaves over, and prove what lies on no occluder") {
   std::size_t shown = 0, not_shown = 0, boundary = 0, not_found = 0, cells = 0;
-  for (const std::uint64_t seed : seeds(40)) {
+  for (const std::uint64_t seed : seeds(25)) {
     const Case c = generate(seed);
     Random random(seed + 11);
     const ViewCell cell = any_cell(c, random);
@@ -89,7 +89,7 @@ TEST_CASE("all samples of a cell show what clipping leaves over, and prove what 
   }
   WARN(shown << " shown and " << not_shown << " not shown agreed in " << cells << " cells; " << boundary
              << " at the boundary, " << not_found << " more without a witness");
-  if (seeds(40).size() > 100) {
+  if (seeds(25).size() > 100) {
     CHECK((shown > 0 && not_shown > 0 && boundary > 0));
     // Slivers between occluders in the face's plane that hold no rectangle between float64 numbers.
     CHECK(20 * not_found < shown);

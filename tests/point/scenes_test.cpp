@@ -16,7 +16,8 @@
 namespace provis::test {
 namespace {
 
-constexpr std::size_t sampled_hidden = 500;
+/// Fewer under sanitizers.
+std::size_t sampled_hidden() { return std::min<std::size_t>(500, case_count(20)); }
 
 /// Runs body(scene, view) for each published view, and for the whole sphere around the first one's eye.
 template <class Body>
@@ -57,9 +58,9 @@ void recheck(const std::string& name) {
 
     std::vector<PrimitiveId> hidden = set.with(Status::hidden);
     Random random(2024);
-    for (std::size_t k = 0; k < std::min(sampled_hidden, hidden.size()); ++k)
+    for (std::size_t k = 0; k < std::min(sampled_hidden(), hidden.size()); ++k)
       std::swap(hidden[k], hidden[k + random.below(hidden.size() - k)]);
-    hidden.resize(std::min(sampled_hidden, hidden.size()));
+    hidden.resize(std::min(sampled_hidden(), hidden.size()));
     for (const bool visible : subtract_check(scene, view, hidden)) REQUIRE_FALSE(visible);
     return set.witnesses.size();
   });

@@ -6,6 +6,7 @@
 #include "src/scene/draco.hpp"
 #include "src/scene/scene_source.hpp"
 #include "tests/scene/draco_builder.hpp"
+#include "tests/support/environment.hpp"
 
 namespace provis {
 namespace {
@@ -42,12 +43,13 @@ TEST_CASE("every truncation of Draco data is an error") {
 }
 
 TEST_CASE("flipped bytes of Draco data load or are errors") {
+  const std::size_t stride = test::case_count() < 1000 ? 4 : 1;  // few cases are asked for under sanitizers
   std::size_t loaded = 0, refused = 0;
   for (const int method : {sequential, edgebreaker})
     for (const int bits : {0, 11})
       for (const int speed : {0, 5, 10}) {
         const GltfBuilder whole = draco_document(two_attributes(method, bits, speed), 16, 18);
-        for (std::size_t i = 0; i < whole.binary.size(); ++i)
+        for (std::size_t i = 0; i < whole.binary.size(); i += stride)
           for (const int flip : {0x01, 0x08, 0x80, 0xFF}) {
             GltfBuilder builder = whole;
             builder.binary[i] = static_cast<char>(builder.binary[i] ^ flip);

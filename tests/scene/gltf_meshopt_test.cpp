@@ -8,6 +8,7 @@
 
 #include "tests/scene/gltf_builder.hpp"
 #include "tests/scene/grid.hpp"
+#include "tests/support/environment.hpp"
 
 namespace provis {
 namespace {
@@ -369,9 +370,10 @@ TEST_CASE("every truncation of a compressed view is an error") {
 }
 
 TEST_CASE("flipped bytes of compressed views load or are errors") {
+  const std::size_t stride = test::case_count() < 1000 ? 4 : 1;  // few cases are asked for under sanitizers
   const GltfBuilder whole = every_mode();
   std::size_t loaded = 0, refused = 0;
-  for (std::size_t i = 0; i < whole.binary.size(); ++i)
+  for (std::size_t i = 0; i < whole.binary.size(); i += stride)
     for (const int flip : {0x01, 0x80, 0xFF}) {
       GltfBuilder builder = whole;
       builder.binary[i] = static_cast<char>(builder.binary[i] ^ flip);
