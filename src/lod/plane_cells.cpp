@@ -90,6 +90,13 @@ void PlaneCells::add_segment(const Point& from, const Point& to) {
   add_cut({line(f, t), f, t});
 }
 
+void PlaneCells::add_contact(const Point& p) {
+  Spot contact = spot(p);
+  for (const Line& edge : edges_)
+    if (side(edge, contact) != turn_) return;
+  whole_.contacts.push_back(std::move(contact));
+}
+
 void PlaneCells::add_cover(const Cover& cover) {
   Laid laid{cover, {spot(cover.corners[0]), spot(cover.corners[1]), spot(cover.corners[2])}, {}};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -105,6 +112,8 @@ PlaneCells::Cell PlaneCells::part(const Cell& cell, const Line& line, Sign keep)
   half.corners = clip(cell.corners, line, keep);
   for (Cut cut : cell.cuts)
     if (clip(cut, line, keep) && divides(cut.line, half.corners)) half.cuts.push_back(std::move(cut));
+  for (const Spot& contact : cell.contacts)
+    if (side(line, contact) == keep) half.contacts.push_back(contact);
   for (const Laid* cover : cell.covers)
     if (std::any_of(cover->corners.begin(), cover->corners.end(),
                     [&](const Spot& p) { return side(line, p) == keep; }))
@@ -122,6 +131,18 @@ bool PlaneCells::holds(const Laid& cover, const Spot& p) const {
   return !(left && right);
 }
 
+/// One of a sequence of points towards a corner: it has more of them than there are contacts.
+Point PlaneCells::inner_point(const Cell& cell) {
+  const Polygon& p = cell.corners;
+  // Powers of two keep the numbers short.
+  for (Rational share = 0.25;; share = share * Rational(0.5)) {
+    const Point inner = share * (p[0].at + p[1].at) + (Rational(1) - Rational(2) * share) * p[2].at;
+    if (std::none_of(cell.contacts.begin(), cell.contacts.end(),
+                     [&](const Spot& contact) { return contact.at == inner; }))
+      return inner;
+  }
+}
+
 /// A cut lies in its closed cell. So it has inner points of the cell iff its line divides the cell.
 bool PlaneCells::any(Cell cell, const Visit& visit) const {
   if (!cell.cuts.empty()) {
@@ -130,9 +151,7 @@ bool PlaneCells::any(Cell cell, const Visit& visit) const {
     cell = {};
     return any(std::move(left), visit) || any(std::move(right), visit);
   }
-  // Powers of two keep the numbers short.
-  const Polygon& p = cell.corners;
-  const Point inner = Rational(0.25) * (p[0].at + p[1].at) + Rational(0.5) * p[2].at;
+  const Point inner = inner_point(cell);
   const Spot there = spot(inner);
   std::vector<const Cover*> held;
   for (const Laid* cover : cell.covers)

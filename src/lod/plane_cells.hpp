@@ -16,8 +16,8 @@ struct Cover {
   bool two_sided = false;
 };
 
-/// The cells are open, convex, and met by no segment and no border of a cover: what meets them covers them.
-/// A RoundUp guard must be alive: signs are asked of intervals first.
+/// The cells are open, convex, and met by no segment and no border of a cover: what meets them covers them,
+/// or touches them in a point. A RoundUp guard must be alive: signs are asked of intervals first.
 class PlaneCells {
  public:
   /// Requires:   a triangle of some area
@@ -25,9 +25,12 @@ class PlaneCells {
 
   /// A segment in the plane: cells end at it, as far as it lies inside.
   void add_segment(const Point& from, const Point& to);
+  /// A point in the plane that tells nothing of the cell around it.
+  void add_contact(const Point& p);
   void add_cover(const Cover& cover);
 
-  /// Called for each cell with an inner point and the covers that hold it, until it returns true.
+  /// Called for each cell with an inner point that is no contact and the covers that hold it, until it
+  /// returns true.
   using Visit = std::function<bool(const Point& inner, const std::vector<const Cover*>& covers)>;
   /// Returns whether visit did.
   bool any(const Visit& visit) const;
@@ -57,6 +60,7 @@ class PlaneCells {
   struct Cell {
     Polygon corners;
     std::vector<Cut> cuts;
+    std::vector<Spot> contacts;  ///< inner points of the cell
     std::vector<const Laid*> covers;
   };
 
@@ -71,6 +75,7 @@ class PlaneCells {
   Cell part(const Cell& cell, const Line& line, Sign keep) const;
   void add_cut(Cut cut);
   bool holds(const Laid& cover, const Spot& p) const;
+  static Point inner_point(const Cell& cell);
   bool any(Cell cell, const Visit& visit) const;
 
   int i_ = 0, j_ = 1;  ///< the coordinates in which the plane is not seen edge-on

@@ -30,8 +30,8 @@ struct Sides {
   long count(Sign s) const { return std::count(of.begin(), of.end(), s); }
 };
 
-/// The chord in which a triangle meets a plane that it does not lie in; nothing if that is a point or empty.
-void add_chord(const Corners& plane, const Corners& t, const Sides& sides, PlaneCells& cells) {
+/// The chord, or the point, in which a triangle meets a plane that it does not lie in.
+void add_meeting(const Corners& plane, const Corners& t, const Sides& sides, PlaneCells& cells) {
   std::vector<Point> ends;
   const Point n = normal<Rational>(plane), o = numbers<Rational>(plane[0]);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -43,6 +43,9 @@ void add_chord(const Corners& plane, const Corners& t, const Sides& sides, Plane
     ends.push_back(a + Rational(f / (f - g)) * (b - a));
   }
   if (ends.size() == 2) cells.add_segment(ends[0], ends[1]);
+  // Beside a corner that touches t, winding numbers are t's; at the corner they are those of one of its
+  // sectors.
+  if (ends.size() == 1) cells.add_contact(ends[0]);
 }
 
 /// What of a chain meets a triangle.
@@ -76,7 +79,7 @@ bool Section::add(const Corners& m, bool two_sided) {
   // The plane of m must cut t, or m meets nothing but its border.
   if (over.count(Sign::positive) == 0 || over.count(Sign::negative) == 0) return false;
   const Sides of_m(t_, m);
-  if (of_m.count(Sign::positive) != 3 && of_m.count(Sign::negative) != 3) add_chord(t_, m, of_m, cells());
+  if (of_m.count(Sign::positive) != 3 && of_m.count(Sign::negative) != 3) add_meeting(t_, m, of_m, cells());
   return false;
 }
 

@@ -53,13 +53,14 @@ Vec3d nudged(Vec3d p, Random& random) {
   return p;
 }
 
-/// A triangle of the chain, a part of one, one through it, or one beside it.
+/// A triangle of the chain, a part of one, one through it, one beside it, or one with a corner of the chain
+/// where a cell that is not cut is asked first.
 Corners any_triangle(const SceneArrays& chain, Random& random) {
   const auto any_vertex = [&] { return random.pick_from(chain.vertices); };
   const Triangle& of = random.pick_from(chain.triangles);
   const Vec3d &a = chain.vertices[of[0]], &b = chain.vertices[of[1]], &c = chain.vertices[of[2]];
   Corners t;
-  switch (random.between(0, 4)) {
+  switch (random.between(0, 5)) {
     case 0:
       t = {a, b, c};
       break;
@@ -72,6 +73,11 @@ Corners any_triangle(const SceneArrays& chain, Random& random) {
     case 3:
       t = {a, 2.0 * b - a, 2.0 * c - a};
       break;
+    case 4: {
+      const Vec3d d = 2.0 * random.lattice(2), e = 2.0 * random.lattice(2);
+      t = {a + d, a + e, a - 0.5 * (d + e)};
+      break;
+    }
     default:
       t = {0.5 * random.lattice(6), 0.5 * random.lattice(6), 0.5 * random.lattice(6)};
   }
@@ -159,6 +165,27 @@ TEST_CASE("a triangle is inside of a solid iff all its points are") {
   if (seeds(10).size() > 50) {
     CHECK(4 * inside > outside);
     CHECK(4 * outside > inside);
+  }
+}
+
+TEST_CASE("a corner that touches a triangle from one side tells nothing of the triangle") {
+  const Corners t{{{-8, -8, 0}, {8, -8, 0}, {0, 8, 0}}};
+  const Vec3d tip{0, 0, 0};  // where an uncut triangle is asked
+  for (const double up : {1.0, -1.0}) {
+    const Vec3d a{-2, -2, up}, b{2, -2, up}, c{0, 2, up};
+    Soup spike{{a, b, c}, {b, a, tip}, {c, b, tip}, {a, c, tip}};
+    if (up < 0) spike = reversed(std::move(spike));
+    const auto is_inside = [&](const Soup& soup, lod::Inside inside) {
+      SceneArrays arrays;
+      add(arrays, soup, 0);
+      const Scene scene(arrays);
+      const RoundUp guard;
+      return !lod::outside(lod::Chain(scene, all_ids(scene)), inside, t[0], t[1], t[2]);
+    };
+    for (const auto inside : {lod::Inside::any_side, lod::Inside::fronts}) {
+      CHECK_FALSE(is_inside(spike, inside));
+      CHECK(is_inside(joined(box_solid({{-9, -9, -9}, {9, 9, 9}}), reversed(spike)), inside));
+    }
   }
 }
 
