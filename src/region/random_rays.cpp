@@ -9,6 +9,7 @@
 #include "predicates/on_triangle.hpp"
 #include "predicates/plane_side.hpp"
 #include "src/point/dyadic.hpp"
+#include "src/scene/finite.hpp"
 
 namespace provis {
 
@@ -54,6 +55,7 @@ std::optional<Witness> RandomRays::aim_at(PrimitiveId id, int rays, std::uint64_
   Random random(seed, id);
   for (int k = 0; k < rays; ++k) {
     const auto [start, towards] = any_ray(id, random);
+    if (!finite(towards)) continue;  // farther apart than numbers reach
     const RoundUp guard;
     const Ray ray(start, towards);
     if (!hits(ray, id) || !in_window(towards) || blocked(ray, id) || on_occluder(start)) continue;
