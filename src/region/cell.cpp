@@ -11,6 +11,7 @@
 #include "src/lod/parts.hpp"
 #include "src/offset/offset_space.hpp"
 #include "src/region/contact.hpp"
+#include "src/region/covered_cell.hpp"
 #include "src/region/exact_samples.hpp"
 #include "src/region/face_parts.hpp"
 #include "src/region/lower.hpp"
@@ -95,12 +96,8 @@ void Query::settle_contacts() {
 }
 
 void Query::find_lower() {
-  const bool flat =
-      cell_.lower.x == cell_.upper.x || cell_.lower.y == cell_.upper.y || cell_.lower.z == cell_.upper.z;
   const Stopwatch looking;
   const std::vector<Vec3d> viewpoints = free_viewpoints(scene_, cell_, options_.viewpoints, options_.seed);
-  if (viewpoints.empty() && flat)
-    throw Error(Error::Code::unsupported, "cell", "no viewpoint was found that lies on no occluder");
   BoundStats& b = result_.bounds;
   b.viewpoints_used = viewpoints.size();
   b.viewpoints = lower_.look_from(viewpoints, meter_);
@@ -224,6 +221,8 @@ CellSet Query::answer() {
   if (options_.method == CellMethod::cos_exact) {
     take_samples();
   } else {
+    if (lies_on_occluders(scene_, cell_))
+      throw Error(Error::Code::unsupported, "cell", "all of it lies on occluders: it has no viewpoint");
     settle_contacts();
     if (options_.method != CellMethod::cos) find_lower();
     if (options_.method != CellMethod::lower) find_upper();
