@@ -111,6 +111,27 @@ TEST_CASE("cell: with a level of detail the urn behind the wall is hidden, and t
   }
 }
 
+TEST_CASE("cell: the bundled level of detail is one, and hides nothing that is proven visible") {
+  const TempFolder directory;
+  const std::string bundled = PROVIS_SOURCE_DIR "/data/detail/",
+                    file = (directory.path() / "r.json").string();
+  const auto result = [&](const Words& more) {
+    const Outcome outcome = provis_run(
+        Words{"cell", bundled + "street.ply", "--center", "0,1.7,0", "--edge", "0.3", "--out", file} + more);
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return read_result(file);
+  };
+  const ResultFile hidden =
+      result({"--method", "cos", "--cos-size", "16x16", "--occluders", bundled + "inner.ply", "--shell",
+              bundled + "outer.ply", "--objects", bundled + "objects.json"});
+  CHECK(hidden.counts->detail.objects == 80);
+  CHECK(hidden.counts->detail.candidates < 40);
+  const ResultFile seen = result({"--method", "lower", "--viewpoints", "2"});
+  CHECK(seen.set.with(Status::visible).size() > 100);
+  for (const PrimitiveId id : seen.set.with(Status::visible)) CHECK(hidden.set.status[id] != Status::hidden);
+}
+
 TEST_CASE("cell: objects may be named by the nodes of glTF files") {
   DetailRun q;
   q.full = q.directory.write("full.glb", gltf({{"urn", urn}, {"wall", wall}})).string();

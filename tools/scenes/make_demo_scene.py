@@ -218,9 +218,9 @@ def courtyard():
     return mesh
 
 
-def write_ply(mesh, out):
+def write_ply(mesh, out, comment="a courtyard, metres, y up; made by tools/scenes/make_demo_scene.py"):
     out.write("ply\nformat ascii 1.0\n")
-    out.write("comment a courtyard, metres, y up; made by tools/scenes/make_demo_scene.py\n")
+    out.write(f"comment {comment}\n")
     out.write(f"element vertex {len(mesh.vertices)}\n")
     out.write("property double x\nproperty double y\nproperty double z\n")
     out.write(f"element face {len(mesh.triangles)}\n")
