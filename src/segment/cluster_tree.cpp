@@ -1,10 +1,9 @@
 #include "src/segment/cluster_tree.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <cmath>
 
 #include "src/scene/parallel.hpp"
+#include "src/scene/parallel_sort.hpp"
 
 namespace provis {
 namespace {
@@ -53,7 +52,7 @@ ClusterTree::ClusterTree(const Scene& scene) : order_(scene.triangles().size()) 
       keys[t] = code << 32 | t;
     }
   });
-  tbb::parallel_sort(keys.begin(), keys.end());
+  parallel_sort(std::span(keys));
   for (std::size_t k = 0; k < n; ++k) order_[k] = static_cast<PrimitiveId>(keys[k]);
 
   boxes_.emplace_back((n + cluster_size - 1) / cluster_size);
