@@ -12,14 +12,9 @@
 namespace provis {
 namespace {
 
-constexpr std::uint64_t most = std::numeric_limits<PrimitiveId>::max();
-
-/// Copies multiply what the file holds, so the product may not be formed before it is known to fit.
-void add_product(std::uint64_t& total, std::uint64_t size, std::uint64_t copies, const char* what) {
-  if (size != 0 && copies > (most - total) / size)
-    fail_unsupported("scene", fmt::format("more than 2^32 - 1 {}, which is where ids end", what));
-  total += size * copies;
-}
+constexpr std::uint64_t most_ids = std::numeric_limits<PrimitiveId>::max();
+/// A file of less than 2 MiB is refused before ids end. No published one comes near.
+constexpr std::uint64_t most_per_byte = 2048;
 
 std::string primitive_of(const SourceRange& source) {
   return fmt::format("meshes[{}].primitives[{}]{}", source.mesh, source.primitive,
@@ -29,6 +24,21 @@ std::string primitive_of(const SourceRange& source) {
 std::string node_of(const SourceRange& source) { return fmt::format("nodes[{}]", source.node); }
 
 }  // namespace
+
+void GltfAssembly::set_bytes(std::uint64_t read) {
+  most_ = read < most_ids / most_per_byte ? read * most_per_byte : most_ids;
+}
+
+/// Copies multiply what the file holds, so the product may not be formed before it is known to fit.
+void GltfAssembly::add_product(std::uint64_t& total, std::uint64_t size, std::uint64_t copies,
+                               const char* what) const {
+  if (size != 0 && copies > (most_ - total) / size)
+    fail_unsupported("scene",
+                     most_ == most_ids
+                         ? fmt::format("more than 2^32 - 1 {}, which is where ids end", what)
+                         : fmt::format("more than {} {} for each byte that was read", most_per_byte, what));
+  total += size * copies;
+}
 
 void GltfAssembly::expect(const DecodedPrimitive& primitive, std::size_t vertices, std::uint64_t copies) {
   arrays_.skipped.points += primitive.skipped.points * copies;

@@ -17,9 +17,14 @@ class GltfAssembly {
   /// radius: of points that have none of their own, in scene units
   explicit GltfAssembly(double radius) : radius_(radius) {}
 
+  /// How many bytes were read. Expected is no more than some thousand vertices or primitives for each of
+  /// them: copies multiply what a file holds, and zeros in it take no bytes.
+  void set_bytes(std::uint64_t read);
+
   /// Counts what that many copies of a primitive will add, before any memory is taken for them.
   ///
-  /// Throws:     Error::unsupported where ids or vertices would exceed 2^32 - 1
+  /// Throws:     Error::unsupported where ids or vertices would exceed 2^32 - 1, or are too many for so few
+  /// bytes
   void expect(const DecodedPrimitive& primitive, std::size_t vertices, std::uint64_t copies);
 
   /// Takes memory for everything that is expected.
@@ -78,7 +83,10 @@ class GltfAssembly {
   static void add_source(std::vector<SourceRange>& sources, std::size_t first, std::size_t count,
                          SourceRange source);
 
+  void add_product(std::uint64_t& total, std::uint64_t size, std::uint64_t copies, const char* what) const;
+
   double radius_;
+  std::uint64_t most_ = 0;
   std::uint64_t triangle_count_ = 0, vertex_count_ = 0, sphere_count_ = 0, source_count_ = 0;
   SceneArrays arrays_;
   std::vector<SourceRange> sphere_sources_;  ///< counted from the first sphere

@@ -41,6 +41,13 @@ ByteSpan GltfBuffers::bytes(std::size_t index, const std::string& wanted_by) {
   return data.first(*buffer.length);
 }
 
+std::uint64_t GltfBuffers::loaded_bytes() const {
+  std::uint64_t sum = 0;
+  for (const Buffer& buffer : buffers_)
+    if (buffer.loaded) sum += buffer.loaded->size();
+  return sum;
+}
+
 ByteSpan GltfBuffers::available(Buffer& buffer, std::size_t index, const std::string& place) {
   if (buffer.loaded) return *buffer.loaded;
   if (!buffer.uri) {

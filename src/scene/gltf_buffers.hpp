@@ -23,6 +23,9 @@ class GltfBuffers {
   ///             EXT_meshopt_compression leaves placeholders
   ByteSpan bytes(std::size_t buffer, const std::string& wanted_by);
 
+  /// Of all buffers that were loaded so far, the GLB's second chunk left out.
+  std::uint64_t loaded_bytes() const;
+
  private:
   struct Buffer {
     std::optional<std::string> uri;

@@ -43,6 +43,7 @@ class GltfLoader {
  public:
   GltfLoader(ByteSpan file, const std::filesystem::path& folder, const LoadOptions& options)
       : options_(options),
+        bytes_(file.size()),
         document_(read_gltf(file, folder, options)),
         model_(document_.model),
         views_(model_, document_.buffers),
@@ -57,6 +58,7 @@ class GltfLoader {
   SceneArrays load() {
     std::vector<int> nodes = mesh_nodes(model_, parents_, scene_);
     std::erase_if(nodes, [this](int node) { return !attempt([&] { prepare(node); }, place_of(node)); });
+    assembly_.set_bytes(bytes_ + document_.buffers.loaded_bytes());
     for (const int node : nodes) expect(node);
     assembly_.reserve();
     for (const int node : nodes) attempt([&] { place(node); }, place_of(node));
@@ -256,6 +258,7 @@ class GltfLoader {
   }
 
   const LoadOptions& options_;
+  std::uint64_t bytes_;  ///< of the scene's own file
   GltfDocument document_;
   const tinygltf::Model& model_;
   GltfViews views_;

@@ -164,5 +164,18 @@ TEST_CASE("more copies than there are ids are refused before memory is taken") {
   CHECK_FAILURE(builder.failure(), 3, "scene");
 }
 
+TEST_CASE("a few bytes make no billions of vertices") {
+  // Found by a fuzzer: zeros as often as zeros, fewer than there are ids, and 103 GB.
+  const auto zeros_times_zeros = [](int count) {
+    GltfBuilder builder;
+    const int many = builder.add("accessors", {{"componentType", 5126}, {"count", count}, {"type", "VEC3"}});
+    builder.root({{"mesh", builder.mesh(many)}, {"extensions", instanced({{"TRANSLATION", many}})}});
+    return builder;
+  };
+  CHECK_FAILURE(zeros_times_zeros(65'535).failure(), 3, "scene");
+  CHECK_THAT(zeros_times_zeros(65'535).failure().message, Catch::Contains("2048 vertices for each byte"));
+  CHECK(zeros_times_zeros(300).load().vertices().size() == 90'000);
+}
+
 }  // namespace
 }  // namespace provis
