@@ -13,6 +13,7 @@
 #include "provis/witness.hpp"
 #include "src/cli/cell_method.hpp"
 #include "src/cli/cell_place.hpp"
+#include "src/cli/common_options.hpp"
 #include "src/cli/detail_options.hpp"
 #include "src/cli/option_group.hpp"
 #include "src/cli/output.hpp"
@@ -129,15 +130,14 @@ void CellCommand::add_to(CLI::App& command) {
   simplified.add_to(command);
   how.add_to(command);
   const OptionGroup output(command, "Output");
-  output("--out", out, "FILE", "Write the result as JSON, which 'provis draw' reads; '-' is standard output");
+  add_out(output, out);
   output("--ids", ids, "FILE",
          "Write one visible id per line, ascending, with 'cos' also the undecided ones; '-' is standard "
          "output");
   output("--stats", stats,
          "Print all counters and times of the stages, how many comparisons each tier of the arithmetic "
          "decided, and the peak of memory");
-  output("--witness", witness,
-         "Add to the result a verified proof for each visible primitive: a ray that sees it");
+  add_witness(output, witness);
   command.footer(
       "What is called visible is seen from some point of the cell, and what is called hidden from none; what "
       "is\n"

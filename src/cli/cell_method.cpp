@@ -2,6 +2,7 @@
 
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/common_options.hpp"
 #include "src/cli/option_group.hpp"
 
 namespace provis {
@@ -116,7 +117,7 @@ void CellMethodOptions::add_to(CLI::App& command) {
   add("--grid", grid, "N", "With --method sampled: N viewpoints along each axis, N^3 in all, 1 to 100 [6]");
   add("--size", size, "WxH",
       "With --method sampled: pixels of each of six frames, or of the one with --dir [800x800]");
-  add("--threads", threads, "N", "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]");
+  add_threads(add, threads);
 }
 
 }  // namespace provis

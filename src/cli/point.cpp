@@ -13,6 +13,7 @@
 #include "provis/result_file.hpp"
 #include "provis/witness.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/common_options.hpp"
 #include "src/cli/option_group.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/peak_memory.hpp"
@@ -147,26 +148,16 @@ void PointCommand::add_to(CLI::App& command) {
   computing("--engine", engine, {"fast", "paper"},
             "With --method exact: 'fast', or 'paper', the algorithm of Popescu et al., which gives the "
             "same set and counts how it came to it [fast]");
-  computing(
-      "--arithmetic", arithmetic, {"chain", "doubles", "mpfr", "exact"},
-      "How each comparison is computed: 'chain' is certain and fast, 'mpfr' and 'exact' are certain and "
-      "slow, 'doubles' is sometimes wrong and for comparison only [chain]");
-  computing("--check", check,
-            "With --arithmetic doubles: decide each comparison exactly too, and count those that were wrong; "
-            "the answer is that of the doubles");
-  computing("--threads", threads, "N",
-            "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]");
+  add_arithmetic(computing, arithmetic, check);
+  add_threads(computing, threads);
   const OptionGroup output(command, "Output");
-  output("--out", out, "FILE", "Write the result as JSON, which 'provis draw' reads; '-' is standard output");
-  output("--ids", ids, "FILE", "Write one visible id per line, ascending; '-' is standard output");
-  output("--witness", witness,
-         "Add to the result a verified proof for each visible primitive: a ray that sees it");
+  add_out(output, out);
+  add_ids(output, ids);
+  add_witness(output, witness);
   output("--subdivision", subdivision,
          "Add to the result the pieces of the window in which one set of primitives is seen, with their "
          "exact areas");
-  output("--effects", effects,
-         "Print which effects of the scene the query simulates (culling, see-through surfaces, ...), "
-         "and why");
+  add_effects(output, effects);
   output("--stats", stats,
          "Print how many comparisons each tier of the arithmetic decided, the counters of the method, "
          "and the peak of memory");

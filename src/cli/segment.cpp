@@ -13,6 +13,7 @@
 #include "provis/error.hpp"
 #include "provis/result_file.hpp"
 #include "provis/witness.hpp"
+#include "src/cli/common_options.hpp"
 #include "src/cli/option_group.hpp"
 #include "src/cli/output.hpp"
 #include "src/cli/path_options.hpp"
@@ -181,8 +182,8 @@ void SegmentCommand::add_to(CLI::App& command) {
   path.add_to(command);
   method.add_to(command);
   const OptionGroup output(command, "Output");
-  output("--out", out, "FILE", "Write the result as JSON, which 'provis draw' reads; '-' is standard output");
-  output("--ids", ids, "FILE", "Write one visible id per line, ascending; '-' is standard output");
+  add_out(output, out);
+  add_ids(output, ids);
   output("--granularity", granularity, {"triangle", "object"},
          "What --ids writes: 'triangle', the visible ones; 'object', all ids of every instance of a node's "
          "mesh that has a visible one [triangle]");
@@ -195,9 +196,7 @@ void SegmentCommand::add_to(CLI::App& command) {
   output("--witness", witness,
          "Add to the result a verified proof for each visible primitive that is not at the boundary: a ray "
          "that sees it");
-  output("--effects", effects,
-         "Print which effects of the scene the query simulates (culling, see-through surfaces, ...), "
-         "and why");
+  add_effects(output, effects);
   output("--stats", stats,
          "Print how many comparisons each tier of the arithmetic decided, and the peak of memory");
   command.footer(

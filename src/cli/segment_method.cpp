@@ -5,6 +5,7 @@
 #include "provis/check_doubles.hpp"
 #include "provis/error.hpp"
 #include "src/cli/arguments.hpp"
+#include "src/cli/common_options.hpp"
 #include "src/cli/option_group.hpp"
 #include "src/report/names.hpp"
 
@@ -74,16 +75,11 @@ void SegmentMethod::add_to(CLI::App& command) {
   add("--engine", engine, {"fast", "plain"},
       "'fast', or 'plain', the algorithm of Popescu et al., which tests every triangle and gives the same "
       "sets [fast]");
-  add("--arithmetic", arithmetic, {"chain", "doubles", "mpfr", "exact"},
-      "How each comparison is computed: 'chain' is certain and fast, 'mpfr' and 'exact' are certain and "
-      "slow, 'doubles' is sometimes wrong and for comparison only [chain]");
-  add("--check", check,
-      "With --arithmetic doubles: decide each comparison exactly too, and count those that were "
-      "wrong; the answer is that of the doubles");
+  add_arithmetic(add, arithmetic, check);
   add("--memory", memory, "MIB",
       "MiB that the pixels' lists may take before a segment is cut in two, 0 for no bound; never changes the "
       "answer [0]");
-  add("--threads", threads, "N", "Threads, 0 to 4096; 0 takes every core; never changes the answer [0]");
+  add_threads(add, threads);
 }
 
 }  // namespace provis

@@ -134,9 +134,8 @@ bool PlaneCells::holds(const Laid& cover, const Spot& p) const {
 /// One of a sequence of points towards a corner: it has more of them than there are contacts.
 Point PlaneCells::inner_point(const Cell& cell) {
   const Polygon& p = cell.corners;
-  // Powers of two keep the numbers short.
   for (Rational share = 0.25;; share = share * Rational(0.5)) {
-    const Point inner = share * (p[0].at + p[1].at) + (Rational(1) - Rational(2) * share) * p[2].at;
+    const Point inner = lod::inner_point(p[0].at, p[1].at, p[2].at, share);
     if (std::none_of(cell.contacts.begin(), cell.contacts.end(),
                      [&](const Spot& contact) { return contact.at == inner; }))
       return inner;

@@ -85,10 +85,7 @@ bool Section::add(const Corners& m, bool two_sided) {
 
 bool Section::any(const PlaneCells::Visit& visit) const {
   if (cells_) return cells_->any(visit);
-  // Powers of two keep the numbers short.
-  const Point inner = Rational(0.25) * (numbers<Rational>(t_[0]) + numbers<Rational>(t_[1])) +
-                      Rational(0.5) * numbers<Rational>(t_[2]);
-  return visit(inner, {});
+  return visit(inner_point(numbers<Rational>(t_[0]), numbers<Rational>(t_[1]), numbers<Rational>(t_[2])), {});
 }
 
 /// Whether rays that come to a point of t from either side have met a side that is there at or before it.

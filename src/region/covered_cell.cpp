@@ -22,9 +22,10 @@ std::vector<Corners> occluders_in_line(const Scene& scene, const Vec3d& a, const
   std::vector<Corners> found;
   for (PrimitiveId t = 0; t < scene.triangles().size(); ++t) {
     const Corners at{scene.corner(t, 0), scene.corner(t, 1), scene.corner(t, 2)};
-    if ((scene.triangle_flags()[t] & see_through) || zero_area(at[0], at[1], at[2])) continue;
     const auto on = [&](const Vec3d& p) { return plane_side(at[0], at[1], at[2], p) == Sign::zero; };
-    if (on(a) && on(b) && on(c)) found.push_back(at);
+    if (!(scene.triangle_flags()[t] & see_through) && on(a) && on(b) && on(c) &&
+        !zero_area(at[0], at[1], at[2]))
+      found.push_back(at);
   }
   return found;
 }

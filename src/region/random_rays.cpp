@@ -59,7 +59,7 @@ std::optional<Witness> RandomRays::aim_at(PrimitiveId id, int rays, std::uint64_
     const RoundUp guard;
     const Ray ray(start, towards);
     if (!hits(ray, id) || !in_window(towards) || blocked(ray, id) || on_occluder(start)) continue;
-    return Witness{id, dyadic(numbers<Rational>(start)), dyadic(numbers<Rational>(towards))};
+    return Witness{id, dyadic(ray.origin), dyadic(ray.direction)};
   }
   return std::nullopt;
 }

@@ -23,8 +23,7 @@ class GltfAssembly {
 
   /// Counts what that many copies of a primitive will add, before any memory is taken for them.
   ///
-  /// Throws:     Error::unsupported where ids or vertices would exceed 2^32 - 1, or are too many for so few
-  /// bytes
+  /// Throws:     Error::unsupported where ids or vertices would exceed 2^32 - 1, or what set_bytes allows
   void expect(const DecodedPrimitive& primitive, std::size_t vertices, std::uint64_t copies);
 
   /// Takes memory for everything that is expected.
