@@ -18,43 +18,37 @@ struct Side {
 
 /// A convex cell with interior: vertex k is where line k meets line k + 1, on the ray of their cross
 /// product. No two neighbours are the same line, and no line is there that bounds nothing.
-template <class SideOf, class Vertex>
-struct ConvexCell {
-  boost::container::small_vector<SideOf, 8> lines;
-  boost::container::small_vector<Vertex, 8> vertices;
+struct Cell {
+  boost::container::small_vector<Side, 8> lines;
+  boost::container::small_vector<Direction, 8> vertices;
 
   bool empty() const { return lines.size() < 3; }
 };
 
-using Cell = ConvexCell<Side, Direction>;
-
 using CellSigns = boost::container::small_vector<Sign, 12>;
 
-/// Puts into `out`, which is empty, the part of the cell on one side of a line, given the signs of its
-/// vertices (some of both kinds) and which are wanted. `border` is the line or its opposite, positive in the
-/// part; meet(l, m) makes the vertex where line l gives way to line m.
-template <class SideOf, class Vertex, class Meet>
-void cut_out(const ConvexCell<SideOf, Vertex>& cell, SideOf border, const CellSigns& s, Sign wanted,
-             const Meet& meet, ConvexCell<SideOf, Vertex>& out) {
-  const std::size_t n = cell.lines.size();
+/// The way around the part of a convex cell on one side of a line, the border, given the signs of its n
+/// vertices (some of both kinds) and which are wanted. Calls emit(l, v, crosses) for each line of the part,
+/// in order: it is line l, or the border if l is n, and gives way to the next at vertex v or, if crosses,
+/// where line v and the border cross.
+template <class Emit>
+void cut_around(std::size_t n, const CellSigns& s, Sign wanted, const Emit& emit) {
   // Line k runs from vertex k - 1 to vertex k; it stays where it reaches into the wanted side.
-  const auto stays = [&](std::size_t k) { return s[(k + n - 1) % n] == wanted || s[k] == wanted; };
+  const auto before = [n](std::size_t k) { return (k == 0 ? n : k) - 1; };
+  const auto after = [n](std::size_t k) { return k + 1 == n ? 0 : k + 1; };
+  const auto stays = [&](std::size_t k) { return s[before(k)] == wanted || s[k] == wanted; };
   for (std::size_t k = 0; k < n; ++k) {
     if (!stays(k)) continue;
-    const std::size_t next = (k + 1) % n;
-    out.lines.push_back(cell.lines[k]);
-    if (stays(next) && s[k] == wanted) {
-      out.vertices.push_back(cell.vertices[k]);
+    if (s[k] == wanted && stays(after(k))) {
+      emit(k, k, false);
       continue;
     }
-    // The boundary leaves the wanted side here: the cutting line takes over up to where it comes back.
-    std::size_t back = next;
-    while (!stays(back)) back = (back + 1) % n;
-    const std::size_t before_back = (back + n - 1) % n;
-    out.vertices.push_back(s[k] == Sign::zero ? cell.vertices[k] : meet(cell.lines[k], border));
-    out.lines.push_back(border);
-    out.vertices.push_back(s[before_back] == Sign::zero ? cell.vertices[before_back]
-                                                        : meet(border, cell.lines[back]));
+    // The boundary leaves the wanted side here: the border takes over up to where it comes back.
+    std::size_t back = after(k);
+    while (!stays(back)) back = after(back);
+    emit(k, k, s[k] != Sign::zero);
+    const bool touches = s[before(back)] == Sign::zero;
+    emit(n, touches ? before(back) : back, !touches);
   }
 }
 
@@ -95,8 +89,16 @@ std::pair<bool, bool> CellCutter<A>::classify(const Cell& cell, Side h, CellSign
 template <Arithmetic A>
 Cell CellCutter<A>::part(const Cell& cell, Side h, const CellSigns& s, Sign wanted) {
   Cell out;
-  cut_out(
-      cell, wanted == Sign::positive ? h : -h, s, wanted, [&](Side l, Side m) { return meet(l, m); }, out);
+  const std::size_t n = cell.lines.size();
+  const Side border = wanted == Sign::positive ? h : -h;
+  cut_around(n, s, wanted, [&](std::size_t line, std::size_t vertex, bool crosses) {
+    const Side of_line = line == n ? border : cell.lines[line];
+    out.lines.push_back(of_line);
+    if (!crosses)
+      out.vertices.push_back(cell.vertices[vertex]);
+    else
+      out.vertices.push_back(line == n ? meet(border, cell.lines[vertex]) : meet(of_line, border));
+  });
   return out;
 }
 

@@ -7,17 +7,16 @@
 #include <optional>
 #include <vector>
 
+#include "src/point/leaf_corner.hpp"
 #include "src/point/leaf_lines.hpp"
 #include "src/point/tile.hpp"
 
 namespace provis {
 
-/// Bit 0: the opposite of the line; the rest is its index.
-using LeafSide = std::uint32_t;
-
-/// Vertices are indices of corners.
-struct LeafPiece : ConvexCell<LeafSide, std::uint32_t> {
+/// A convex piece: a range of LeafPieces' rings. It is a value that costs nothing to copy.
+struct LeafPiece {
   Window box;
+  std::uint32_t first = 0, size = 0;
 };
 
 /// The lines and corners of all pieces that come from one tile.
@@ -27,7 +26,7 @@ class LeafPieces {
   LeafPieces(Signs<A>& signs, const Facets& facets, LeafLines<A>& lines, CellCutter<A>& cutter,
              const Tile& tile);
 
-  /// Forgets every line and corner but the tile's; returns the whole tile.
+  /// Forgets every line, corner and piece but the tile's; returns the whole tile.
   LeafPiece begin_anew();
 
   /// The facet that beside, behind and edge speak of.
@@ -47,47 +46,47 @@ class LeafPieces {
 
   /// The side of each corner; returns whether any is positive and whether any is negative.
   std::pair<bool, bool> classify(const LeafPiece& piece, LeafSide side, CellSigns& out);
-  /// Given the signs of its corners (some of both kinds).
-  LeafPiece part(const LeafPiece& piece, LeafSide side, const CellSigns& signs, Sign wanted);
+  /// The parts on the positive and on the negative side, given the signs of the corners (some of both kinds).
+  std::pair<LeafPiece, LeafPiece> split(const LeafPiece& piece, LeafSide side, const CellSigns& signs);
 
   Cell definition(const LeafPiece& piece);
 
  private:
-  struct Band {  ///< a line
-    WindowFunction function;
-    std::uint32_t points[2] = {no_id, no_id};  ///< input points known to lie on it
-    LineKind kind = LineKind::edge;
-    std::uint32_t facet = 0;  ///< borders: which
-    std::uint32_t other = 0;  ///< edge: which; depth: positive where `facet` is nearer than this one
+  struct Bound {
+    LeafSide line;
+    std::uint32_t corner;  ///< where it gives way to the next
   };
-  struct Corner {
-    double x = 0, y = 0, error = HUGE_VAL;
-    LeafSide sides[2] = {0, 0};   ///< what it is the crossing of, in the order around the piece
-    std::uint32_t point = no_id;  ///< input point that it is known to be
-    std::uint32_t direction = no_id;
+  struct Crossings {  ///< of one line with two of a piece: the corners that its parts have in common
+    LeafSide lines[2];
+    std::uint32_t corners[2];
+    int count = 0;
   };
 
-  LeafSide add(const Band& band);
+  LeafSide add(const LeafBand& band);
   Sign sign(std::uint32_t band, std::uint32_t corner);
-  static std::optional<Sign> quick_sign(const WindowFunction& f, const Corner& c);
-  static Predicate predicate(const Band& band);
-  bool known_zero(const Band& band, const Corner& corner) const;
-  bool one_line(const Band& a, const Band& b) const;
-  std::uint32_t crossing(LeafSide l, LeafSide m);
-  void place(Corner& corner) const;
+  std::optional<Sign> known_sign(std::uint32_t band, LeafCorner& c);
+  CornerMark ask(std::uint32_t k, LeafCorner& c);
+  static Predicate predicate(const LeafBand& band);
+  LeafPiece part(const LeafPiece& piece, LeafSide border, const CellSigns& signs, Sign wanted,
+                 Crossings& crossings);
+  std::uint32_t crossing(LeafSide line, LeafSide border, bool leaving, Crossings& made);
   Window box_of(const LeafPiece& piece) const;
+  template <class Test>
+  bool all_corners(const LeafPiece& piece, const Test& test) const;
   Side definition(LeafSide side);
-  const Direction& definition_of(std::uint32_t corner);
+  const Direction& definition_of(LeafCorner& c);
 
   Signs<A>& signs_;
   const std::vector<Facet>& facets_;
   LeafLines<A>& lines_;
   CellCutter<A>& cutter_;
   const Tile& tile_;
-  std::vector<Band> bands_;
+  std::vector<LeafBand> bands_;
   std::uint32_t facet_ = 0;
+  std::uint32_t inserted_ = 0;   ///< facets so far, of which facet_ is the last
   std::uint32_t edges_ = no_id;  ///< its edges, which most facets never need
-  std::vector<Corner> corners_;
+  std::vector<LeafCorner> corners_;
+  std::vector<Bound> rings_;  ///< of all pieces
   std::vector<Direction> directions_;
 };
 
@@ -99,11 +98,11 @@ LeafPieces<A>::LeafPieces(Signs<A>& signs, const Facets& facets, LeafLines<A>& l
   const double xs[4] = {w.x0, w.x1, w.x1, w.x0}, ys[4] = {w.y0, w.y0, w.y1, w.y1};
   const WindowFunction borders[4] = {{1, 0, -w.x0, 0}, {0, 1, -w.y0, 0}, {-1, 0, w.x1, 0}, {0, -1, w.y1, 0}};
   for (std::uint32_t k = 0; k < 4; ++k) {
-    Band band;
-    band.function = borders[k];
     // The value of a border's function is rounded twice, of numbers no larger than these.
     const double size = std::fabs(w.x0) + std::fabs(w.x1) + std::fabs(w.y0) + std::fabs(w.y1);
-    band.function.error = evaluation_error(size) + underflow_bound;
+    WindowFunction function = borders[k];
+    function.error = evaluation_error(size) + underflow_bound;
+    LeafBand band(function);
     band.kind = k % 2 == 0 ? LineKind::x_border : LineKind::y_border;
     band.facet = k;
     add(band);
@@ -112,7 +111,7 @@ LeafPieces<A>::LeafPieces(Signs<A>& signs, const Facets& facets, LeafLines<A>& l
   for (std::uint32_t k = 0; k < 4; ++k) {
     const std::uint32_t border = positive ? k : (4 - k) % 4, at = positive ? k : 3 - k;
     const std::uint32_t following = positive ? (k + 1) % 4 : 3 - k;
-    Corner corner;
+    LeafCorner corner;
     corner.x = xs[at];
     corner.y = ys[at];
     corner.error = 0;
@@ -121,6 +120,7 @@ LeafPieces<A>::LeafPieces(Signs<A>& signs, const Facets& facets, LeafLines<A>& l
     corner.direction = k;
     directions_.push_back(tile.corners[at]);
     corners_.push_back(corner);
+    rings_.push_back({2 * border, k});
   }
 }
 
@@ -129,17 +129,12 @@ LeafPiece LeafPieces<A>::begin_anew() {
   bands_.resize(4);
   corners_.resize(4);
   directions_.resize(4);
-  LeafPiece whole;
-  for (std::uint32_t k = 0; k < 4; ++k) {
-    whole.lines.push_back(corners_[k].sides[0]);
-    whole.vertices.push_back(k);
-  }
-  whole.box = tile_.window;
-  return whole;
+  rings_.resize(4);
+  return {tile_.window, 0, 4};
 }
 
 template <Arithmetic A>
-LeafSide LeafPieces<A>::add(const Band& band) {
+LeafSide LeafPieces<A>::add(const LeafBand& band) {
   bands_.push_back(band);
   return static_cast<LeafSide>(2 * (bands_.size() - 1));
 }
@@ -147,6 +142,7 @@ LeafSide LeafPieces<A>::add(const Band& band) {
 template <Arithmetic A>
 void LeafPieces<A>::begin(std::uint32_t facet) {
   facet_ = facet;
+  ++inserted_;
   edges_ = no_id;
 }
 
@@ -156,12 +152,10 @@ LeafSide LeafPieces<A>::edge(std::uint32_t k) {
     const Facet& f = facets_[facet_];
     edges_ = static_cast<std::uint32_t>(bands_.size());
     for (std::uint32_t i = 0; i < 3; ++i) {
-      Band& band = bands_.emplace_back();
-      band.function = f.inside[i];
+      LeafBand& band = bands_.emplace_back(f.inside[i]);
       band.facet = facet_;
       band.other = i;
-      band.points[0] = f.points[i];
-      band.points[1] = f.points[(i + 1) % 3];
+      band.hold(f.points[i], f.points[(i + 1) % 3]);
     }
   }
   return 2 * (edges_ + k);
@@ -174,11 +168,15 @@ bool LeafPieces<A>::beside(const LeafPiece& piece) {
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (f.inside[k].highest(piece.box) < 0) return true;
     if (f.inside[k].lowest(piece.box) > 0) continue;
-    const Band& band = bands_[edge(k) >> 1];
-    if (std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](std::uint32_t c) {
-          return known_zero(band, corners_[c]) || quick_sign(band.function, corners_[c]) == Sign::negative;
-        }))
-      return true;
+    edge(k);
+    const auto not_inside = [&](LeafCorner& c) {
+      const CornerMark mark = ask(k, c);
+      return mark == CornerMark::negative || mark == CornerMark::zero;
+    };
+    bool outside = true;
+    for (std::uint32_t i = piece.first; outside && i < piece.first + piece.size; ++i)
+      outside = not_inside(corners_[rings_[i].corner]);
+    if (outside) return true;
   }
   return false;
 }
@@ -190,19 +188,26 @@ bool LeafPieces<A>::behind(std::uint32_t other, const LeafPiece& piece) const {
   const WindowFunction farther = difference(facets_[other].depth, f.depth);
   if (farther.lowest(intersection(piece.box, f.box)) > 0) return true;
   const double slope = std::fabs(farther.a) + std::fabs(farther.b);
-  return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](std::uint32_t k) {
-    const Corner& c = corners_[k];
+  return all_corners(piece, [&](const LeafCorner& c) {
     return farther.at(c.x, c.y) > (3 * farther.error + slope * c.error) * (1 + 0x1p-20);
   });
 }
 
 template <Arithmetic A>
-std::pair<bool, bool> LeafPieces<A>::classify(const LeafPiece& piece, LeafSide side, CellSigns& marks) {
-  marks.clear();
+template <class Test>
+bool LeafPieces<A>::all_corners(const LeafPiece& piece, const Test& test) const {
+  for (std::uint32_t i = piece.first; i < piece.first + piece.size; ++i)
+    if (!test(corners_[rings_[i].corner])) return false;
+  return true;
+}
+
+template <Arithmetic A>
+std::pair<bool, bool> LeafPieces<A>::classify(const LeafPiece& piece, LeafSide side, CellSigns& out) {
+  out.clear();
   bool positive = false, negative = false;
-  for (const std::uint32_t c : piece.vertices) {
-    const Sign of_line = sign(side >> 1, c), s = side & 1 ? -of_line : of_line;
-    marks.push_back(s);
+  for (std::uint32_t i = piece.first; i < piece.first + piece.size; ++i) {
+    const Sign of_line = sign(side >> 1, rings_[i].corner), s = side & 1 ? -of_line : of_line;
+    out.push_back(s);
     positive |= s == Sign::positive;
     negative |= s == Sign::negative;
   }
@@ -212,103 +217,112 @@ std::pair<bool, bool> LeafPieces<A>::classify(const LeafPiece& piece, LeafSide s
 /// Of the line, not of its opposite.
 template <Arithmetic A>
 Sign LeafPieces<A>::sign(std::uint32_t band, std::uint32_t corner) {
-  const Corner& c = corners_[corner];
-  if (known_zero(bands_[band], c)) {
-    signs_.count(predicate(bands_[band]), Tier::structure);
-    return Sign::zero;
-  }
-  if (const std::optional<Sign> s = quick_sign(bands_[band].function, c)) {
-    signs_.count(predicate(bands_[band]), Tier::filter);
-    if constexpr (A == Arithmetic::doubles)
-      if (signs_.geometry().checked) [[unlikely]] {
-        const Side side = definition(2 * band);
-        signs_.check(*side.line, definition_of(corner), side.negated ? -*s : *s);
-      }
+  LeafCorner& c = corners_[corner];
+  CornerMark* mark = nullptr;
+  if (edges_ != no_id && band - edges_ < 3) {
+    const CornerMark known = ask(band - edges_, c);
+    if (known != CornerMark::open) return sign_of(known);
+    mark = &c.marks[band - edges_];
+  } else if (const std::optional<Sign> s = known_sign(band, c)) {
     return *s;
   }
   const Side side = definition(2 * band);
-  const Sign s = signs_.side(*side.line, definition_of(corner));
-  return side.negated ? -s : s;
+  const Sign of_side = signs_.side(*side.line, definition_of(c)), s = side.negated ? -of_side : of_side;
+  if (mark != nullptr) *mark = mark_of(s);
+  return s;
 }
 
-/// Where float64 can tell; plain doubles always can, but for what is not known at all.
+/// By structure, or by float64.
 template <Arithmetic A>
-std::optional<Sign> LeafPieces<A>::quick_sign(const WindowFunction& f, const Corner& c) {
-  const double value = f.at(c.x, c.y);
-  // Where the corner is off, the value is by no more than the slope (ERRORS.md, 6).
-  const double bound = (3 * f.error + (std::fabs(f.a) + std::fabs(f.b)) * c.error) * (1 + 0x1p-20);
+std::optional<Sign> LeafPieces<A>::known_sign(std::uint32_t index, LeafCorner& c) {
+  const LeafBand& band = bands_[index];
+  if (known_zero(band, index, c)) {
+    signs_.count(predicate(band), Tier::structure);
+    return Sign::zero;
+  }
+  const std::optional<Sign> s = quick_sign<A>(band, c);
+  if (!s) return s;
+  signs_.count(predicate(band), Tier::filter);
   if constexpr (A == Arithmetic::doubles)
-    return bound < HUGE_VAL ? std::optional(sign_of(value)) : std::nullopt;
-  if (value > bound) return Sign::positive;
-  if (value < -bound) return Sign::negative;
-  return std::nullopt;
+    if (signs_.geometry().checked) [[unlikely]] {
+      const Side side = definition(2 * index);
+      signs_.check(*side.line, definition_of(c), side.negated ? -*s : *s);
+    }
+  return s;
+}
+
+/// The facet's edge k at the corner. Corners are shared by neighbouring pieces, and asked several times of
+/// each.
+template <Arithmetic A>
+CornerMark LeafPieces<A>::ask(std::uint32_t k, LeafCorner& c) {
+  if (c.asked_by != inserted_) {
+    c.asked_by = inserted_;
+    c.marks.fill(CornerMark::unasked);
+  }
+  CornerMark& mark = c.marks[k];
+  if (mark == CornerMark::unasked) {
+    const std::optional<Sign> s = known_sign(edges_ + k, c);
+    mark = s ? mark_of(*s) : CornerMark::open;
+  }
+  return mark;
 }
 
 template <Arithmetic A>
-bool LeafPieces<A>::one_line(const Band& a, const Band& b) const {
-  return &a == &b || (a.points[1] != no_id && b.points[1] != no_id &&
-                      ((a.points[0] == b.points[0] && a.points[1] == b.points[1]) ||
-                       (a.points[0] == b.points[1] && a.points[1] == b.points[0])));
+std::pair<LeafPiece, LeafPiece> LeafPieces<A>::split(const LeafPiece& piece, LeafSide side,
+                                                     const CellSigns& s) {
+  Crossings crossings;
+  const LeafPiece positive = part(piece, side, s, Sign::positive, crossings);
+  return {positive, part(piece, side ^ 1, s, Sign::negative, crossings)};
 }
 
+/// What is on one side of a line. `border` is the line or its opposite, positive in the part.
 template <Arithmetic A>
-bool LeafPieces<A>::known_zero(const Band& band, const Corner& c) const {
-  return (c.point != no_id && (c.point == band.points[0] || c.point == band.points[1])) ||
-         one_line(band, bands_[c.sides[0] >> 1]) || one_line(band, bands_[c.sides[1] >> 1]);
-}
-
-template <Arithmetic A>
-LeafPiece LeafPieces<A>::part(const LeafPiece& piece, LeafSide side, const CellSigns& s, Sign wanted) {
+LeafPiece LeafPieces<A>::part(const LeafPiece& piece, LeafSide border, const CellSigns& s, Sign wanted,
+                              Crossings& crossings) {
   LeafPiece out;
-  cut_out(
-      piece, wanted == Sign::positive ? side : side ^ 1, s, wanted,
-      [&](LeafSide l, LeafSide m) { return crossing(l, m); }, out);
+  out.first = static_cast<std::uint32_t>(rings_.size());
+  cut_around(piece.size, s, wanted, [&](std::size_t line, std::size_t corner, bool crosses) {
+    const LeafSide of_line = line == piece.size ? border : rings_[piece.first + line].line;
+    const std::uint32_t at =
+        crosses ? crossing(rings_[piece.first + corner].line, border, line != piece.size, crossings)
+                : rings_[piece.first + corner].corner;
+    rings_.push_back({of_line, at});
+  });
+  out.size = static_cast<std::uint32_t>(rings_.size()) - out.first;
   out.box = box_of(out);
   return out;
 }
 
+/// Where a piece's line gives way to the border of a part, or the border to it. The other part has the
+/// opposite border, and changes from one to the other in the opposite order: the same corner.
 template <Arithmetic A>
-std::uint32_t LeafPieces<A>::crossing(LeafSide l, LeafSide m) {
-  Corner c;
-  c.sides[0] = l;
-  c.sides[1] = m;
-  const Band &a = bands_[l >> 1], &b = bands_[m >> 1];
+std::uint32_t LeafPieces<A>::crossing(LeafSide line, LeafSide border, bool leaving, Crossings& made) {
+  for (int k = 0; k < made.count; ++k)
+    if (made.lines[k] == line) return made.corners[k];
+  LeafCorner c;
+  c.sides[0] = leaving ? line : border;
+  c.sides[1] = leaving ? border : line;
+  const LeafBand &a = bands_[line >> 1], &b = bands_[border >> 1];
+  c.ends[0] = a.ends;
+  c.ends[1] = b.ends;
   for (const std::uint32_t p : a.points)
     if (p != no_id && (p == b.points[0] || p == b.points[1])) c.point = p;
-  place(c);
+  place(c, a.function, b.function, tile_.window);
   corners_.push_back(c);
-  return static_cast<std::uint32_t>(corners_.size() - 1);
-}
-
-/// Where two lines cross inside the tile (ERRORS.md, 6).
-template <Arithmetic A>
-void LeafPieces<A>::place(Corner& c) const {
-  const WindowFunction &f = bands_[c.sides[0] >> 1].function, &g = bands_[c.sides[1] >> 1].function;
-  const Window& w = tile_.window;
-  const double determinant = f.a * g.b - g.a * f.b;
-  c.x = std::clamp((f.b * g.c - g.b * f.c) / determinant, w.x0, w.x1);
-  c.y = std::clamp((g.a * f.c - f.a * g.c) / determinant, w.y0, w.y1);
-  const double off_f = std::fabs(f.at(c.x, c.y)) + 2 * f.error,
-               off_g = std::fabs(g.at(c.x, c.y)) + 2 * g.error;
-  const double least =
-      std::fabs(determinant) - 8 * unit_roundoff * (std::fabs(f.a * g.b) + std::fabs(g.a * f.b));
-  const double reach =
-      std::max(std::fabs(f.a), std::fabs(f.b)) * off_g + std::max(std::fabs(g.a), std::fabs(g.b)) * off_f;
-  const double error = reach / least * (1 + 0x1p-20) + underflow_bound;
-  if (least > 0x1p-900 && error < size_bound) {
-    c.error = error;
-    return;
+  const auto corner = static_cast<std::uint32_t>(corners_.size() - 1);
+  if (made.count < 2) {  // rounded signs may cross more
+    made.lines[made.count] = line;
+    made.corners[made.count++] = corner;
   }
-  c.x = w.x0;
-  c.y = w.y0;
+  return corner;
 }
 
 /// Corners lie in the tile.
 template <Arithmetic A>
 Window LeafPieces<A>::box_of(const LeafPiece& piece) const {
   Window box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
-  for (const std::uint32_t k : piece.vertices) {
-    const Corner& c = corners_[k];
+  for (std::uint32_t i = piece.first; i < piece.first + piece.size; ++i) {
+    const LeafCorner& c = corners_[rings_[i].corner];
     // The sum is rounded, by less than a part in 2^50 of it.
     const double r = c.error == 0 ? 0 : c.error + 4 * unit_roundoff * (std::fabs(c.x) + std::fabs(c.y));
     box.x0 = std::min(box.x0, c.x - r);
@@ -321,46 +335,45 @@ Window LeafPieces<A>::box_of(const LeafPiece& piece) const {
 
 template <Arithmetic A>
 bool LeafPieces<A>::in_one_plane(std::uint32_t a, std::uint32_t b, const LeafPiece& where) {
-  const WindowFunction apart = difference(facets_[a].depth, facets_[b].depth);
+  const LeafBand apart(difference(facets_[a].depth, facets_[b].depth));
   if constexpr (A != Arithmetic::doubles)
-    if (std::any_of(where.vertices.begin(), where.vertices.end(),
-                    [&](std::uint32_t k) { return quick_sign(apart, corners_[k]).has_value(); }))
-      return false;
+    if (!all_corners(where, [&](const LeafCorner& c) { return !quick_sign<A>(apart, c); })) return false;
   return lines_.depth(a, b).line == nullptr;
 }
 
 template <Arithmetic A>
 LeafSide LeafPieces<A>::depth(std::uint32_t near, std::uint32_t far) {
   const Facet &f = facets_[near], &g = facets_[far];
-  Band band;
-  band.function = difference(f.depth, g.depth);
+  LeafBand band(difference(f.depth, g.depth));
   band.kind = LineKind::depth;
   band.facet = near;
   band.other = far;
   // A corner that both share lies on the crossing of their planes.
+  std::uint32_t points[2] = {no_id, no_id};
   int shared = 0;
   for (const std::uint32_t p : f.points)
-    if (shared < 2 && (p == g.points[0] || p == g.points[1] || p == g.points[2])) band.points[shared++] = p;
+    if (shared < 2 && (p == g.points[0] || p == g.points[1] || p == g.points[2])) points[shared++] = p;
+  band.hold(points[0], points[1]);
   return add(band);
 }
 
 template <Arithmetic A>
 LeafSide LeafPieces<A>::front(std::uint32_t facet) {
-  Band front;
+  LeafBand front;
   front.kind = LineKind::front;
   front.facet = facet;
   return add(front);
 }
 
 template <Arithmetic A>
-Predicate LeafPieces<A>::predicate(const Band& band) {
+Predicate LeafPieces<A>::predicate(const LeafBand& band) {
   const bool depth = band.kind == LineKind::depth || band.kind == LineKind::front;
   return depth ? Predicate::nearer_constructed : Predicate::turn_constructed;
 }
 
 template <Arithmetic A>
 Side LeafPieces<A>::definition(LeafSide side) {
-  const Band& band = bands_[side >> 1];
+  const LeafBand& band = bands_[side >> 1];
   Side s;
   switch (band.kind) {
     case LineKind::edge:
@@ -379,8 +392,7 @@ Side LeafPieces<A>::definition(LeafSide side) {
 }
 
 template <Arithmetic A>
-const Direction& LeafPieces<A>::definition_of(std::uint32_t corner) {
-  Corner& c = corners_[corner];
+const Direction& LeafPieces<A>::definition_of(LeafCorner& c) {
   if (c.direction == no_id) {
     c.direction = static_cast<std::uint32_t>(directions_.size());
     directions_.push_back(cutter_.meet(definition(c.sides[0]), definition(c.sides[1])));
@@ -391,8 +403,10 @@ const Direction& LeafPieces<A>::definition_of(std::uint32_t corner) {
 template <Arithmetic A>
 Cell LeafPieces<A>::definition(const LeafPiece& piece) {
   Cell cell;
-  for (const LeafSide s : piece.lines) cell.lines.push_back(definition(s));
-  for (const std::uint32_t c : piece.vertices) cell.vertices.push_back(definition_of(c));
+  for (std::uint32_t i = piece.first; i < piece.first + piece.size; ++i) {
+    cell.lines.push_back(definition(rings_[i].line));
+    cell.vertices.push_back(definition_of(corners_[rings_[i].corner]));
+  }
   return cell;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "provis/error.hpp"
+#include "src/point/cell_outlines.hpp"
 #include "src/point/effects.hpp"
 #include "src/point/front_to_back.hpp"
 #include "src/point/leaf_pieces.hpp"
@@ -41,14 +42,13 @@ class LeafSubdivision {
   bool too_many() const;
 
  private:
+  struct List {  ///< a range of listed_
+    std::uint32_t first = 0, size = 0;
+  };
   struct Labelled {
     LeafPiece piece;
-    boost::container::small_vector<std::uint32_t, 2> nearest;  ///< occluders, all of one plane
-    boost::container::small_vector<std::uint32_t, 2> before;   ///< see-through facets no farther than those
-  };
-  struct Outline {  ///< of a cell, to pass most of them by
-    Window box;
-    double floor = -HUGE_VAL;  ///< what is nowhere as near is hidden in all of the cell
+    List nearest;  ///< occluders, all of one plane
+    List before;   ///< see-through facets no farther than those
   };
 
   enum class Meeting { none, tied, nearer };
@@ -57,17 +57,21 @@ class LeafSubdivision {
   void begin(std::uint32_t facet);
   bool passes_by(const Labelled& cell);
   void replace(std::size_t cell);
-  Outline outline(const Labelled& cell) const;
+  CellOutline outline(const Labelled& cell) const;
   Meeting meet(LeafPiece& inside, const Labelled& cell, std::uint32_t facet);
-  void split(Labelled& cell, std::uint32_t facet);
+  void split(const Labelled& cell, std::uint32_t facet);
   bool cut(LeafPiece& inside, LeafSide side, const Labelled& labels);
+  List with(List list, std::uint32_t facet);
+  std::uint32_t front(List list) const { return listed_[list.first]; }
 
   const std::vector<Facet>& facets_;
   LeafPieces<A> pieces_;
   std::size_t inserted_ = 0;  ///< facets so far
   std::vector<Labelled> cells_, next_;
-  std::vector<Outline> outlines_;  ///< of cells_
-  double floor_ = -HUGE_VAL;       ///< of all cells
+  CellOutlines outlines_;               ///< of cells_
+  std::vector<std::uint32_t> touched_;  ///< by the facet that is being inserted
+  double floor_ = -HUGE_VAL;            ///< of all cells
+  std::vector<std::uint32_t> listed_;   ///< in the lists of all cells, those that are gone included
   CellSigns marks_;
 };
 
@@ -80,10 +84,10 @@ LeafSubdivision<A, E>::LeafSubdivision(Signs<A>& signs, const Facets& facets, Le
 
 template <Arithmetic A, QueryEffects E>
 void LeafSubdivision<A, E>::begin_anew() {
-  cells_.clear();
-  LeafPiece& whole = cells_.emplace_back().piece;
-  whole = pieces_.begin_anew();
-  outlines_.assign(1, {whole.box});
+  listed_.clear();
+  cells_.assign(1, {pieces_.begin_anew(), {}, {}});
+  outlines_.clear();
+  outlines_.push_back({cells_.front().piece.box, -HUGE_VAL});
   inserted_ = 0;
   floor_ = -HUGE_VAL;
 }
@@ -97,56 +101,52 @@ void LeafSubdivision<A, E>::begin(std::uint32_t facet) {
 /// Whether the facet that is being inserted certainly changes nothing in the cell.
 template <Arithmetic A, QueryEffects E>
 bool LeafSubdivision<A, E>::passes_by(const Labelled& cell) {
-  return (!cell.nearest.empty() && pieces_.behind(cell.nearest.front(), cell.piece)) ||
+  return (cell.nearest.size != 0 && pieces_.behind(front(cell.nearest), cell.piece)) ||
          pieces_.beside(cell.piece);
 }
 
 template <Arithmetic A, QueryEffects E>
 void LeafSubdivision<A, E>::insert(const OrderedFacet& given) {
   if (given.nearest < floor_) return;
-  const Facet& f = facets_[given.facet];
+  touched_.clear();
+  outlines_.append_touched(facets_[given.facet].box, given.nearest, touched_);
+  if (touched_.empty()) return;
   begin(given.facet);
-  const std::size_t before = cells_.size();
   bool changed = false;
-  for (std::size_t k = 0; k < before; ++k) {
-    if (given.nearest < outlines_[k].floor || !overlap(f.box, outlines_[k].box)) continue;
+  for (const std::uint32_t k : touched_) {
     if (passes_by(cells_[k])) continue;
-    Labelled cell = std::move(cells_[k]);
     next_.clear();
-    split(cell, given.facet);
+    split(cells_[k], given.facet);
     replace(k);
     changed = true;
   }
-  if (!changed) return;
-  floor_ = HUGE_VAL;
-  for (const Outline& o : outlines_) floor_ = std::min(floor_, o.floor);
+  if (changed) floor_ = outlines_.floor();
 }
 
 /// What stands in next_ takes the place of the cell.
 template <Arithmetic A, QueryEffects E>
 void LeafSubdivision<A, E>::replace(std::size_t cell) {
   if (next_.empty()) {
-    cells_[cell] = std::move(cells_.back());
-    outlines_[cell] = outlines_.back();
+    cells_[cell] = cells_.back();
     cells_.pop_back();
-    outlines_.pop_back();
+    outlines_.remove(cell);
     return;
   }
-  outlines_[cell] = outline(next_.front());
-  cells_[cell] = std::move(next_.front());
+  outlines_.set(cell, outline(next_.front()));
+  cells_[cell] = next_.front();
   for (std::size_t k = 1; k < next_.size(); ++k) {
     outlines_.push_back(outline(next_[k]));
-    cells_.push_back(std::move(next_[k]));
+    cells_.push_back(next_[k]);
   }
 }
 
 template <Arithmetic A, QueryEffects E>
-typename LeafSubdivision<A, E>::Outline LeafSubdivision<A, E>::outline(const Labelled& cell) const {
-  Outline o;
+CellOutline LeafSubdivision<A, E>::outline(const Labelled& cell) const {
+  CellOutline o;
   o.box = cell.piece.box;
   // A bound that is not known may be NaN.
-  if (!cell.nearest.empty())
-    if (const double lowest = facets_[cell.nearest.front()].depth.lowest(o.box); lowest > o.floor)
+  if (cell.nearest.size != 0)
+    if (const double lowest = facets_[front(cell.nearest)].depth.lowest(o.box); lowest > o.floor)
       o.floor = lowest;
   return o;
 }
@@ -166,26 +166,28 @@ template <Arithmetic A, QueryEffects E>
 void LeafSubdivision<A, E>::restrict_to(std::uint32_t facet) {
   begin_anew();
   begin(facet);
-  Labelled cell = std::move(cells_.front());
+  Labelled cell = cells_.front();
   cells_.clear();
   outlines_.clear();
   next_.clear();
   if (pieces_.beside(cell.piece)) return;
   LeafPiece inside = cell.piece;
   if (meet(inside, cell, facet) == Meeting::none) return;
-  cell.piece = std::move(inside);
-  cell.nearest.push_back(facet);
+  cell.piece = inside;
+  cell.nearest = with(cell.nearest, facet);
   outlines_.push_back(outline(cell));
-  cells_.push_back(std::move(cell));
+  cells_.push_back(cell);
 }
 
 template <Arithmetic A, QueryEffects E>
 bool LeafSubdivision<A, E>::subtract(std::uint32_t occluder) {
-  const Facet& f = facets_[occluder];
   begin(occluder);
-  const std::size_t before = cells_.size();
-  for (std::size_t k = before; k-- > 0;) {
-    if (!overlap(f.box, outlines_[k].box) || passes_by(cells_[k])) continue;
+  touched_.clear();
+  outlines_.append_touched(facets_[occluder].box, HUGE_VAL, touched_);
+  // From the last to the first, for the last takes the place of one that is gone.
+  for (auto it = touched_.rbegin(); it != touched_.rend(); ++it) {
+    const std::uint32_t k = *it;
+    if (passes_by(cells_[k])) continue;
     next_.clear();
     LeafPiece inside = cells_[k].piece;
     if (meet(inside, cells_[k], occluder) == Meeting::nearer) replace(k);
@@ -206,28 +208,29 @@ typename LeafSubdivision<A, E>::Meeting LeafSubdivision<A, E>::meet(LeafPiece& i
   if constexpr (E.front_clip)
     if (meets && f.cut) meets = cut(inside, pieces_.front(facet), cell);
   if (!meets) return Meeting::none;
-  if (cell.nearest.empty()) return Meeting::nearer;
-  const std::uint32_t other = cell.nearest.front();
+  if (cell.nearest.size == 0) return Meeting::nearer;
+  const std::uint32_t other = front(cell.nearest);
   if (pieces_.in_one_plane(facet, other, inside)) return Meeting::tied;
   return cut(inside, pieces_.depth(facet, other), cell) ? Meeting::nearer : Meeting::none;
 }
 
 /// Leaves in next_ what becomes of the cell.
 template <Arithmetic A, QueryEffects E>
-void LeafSubdivision<A, E>::split(Labelled& cell, std::uint32_t facet) {
+void LeafSubdivision<A, E>::split(const Labelled& cell, std::uint32_t facet) {
   const Facet& f = facets_[facet];
   LeafPiece inside = cell.piece;
   const Meeting meeting = meet(inside, cell, facet);
   if (meeting == Meeting::none) {
     // Whatever was cut off on the way here belongs to the whole again.
     next_.clear();
-    next_.push_back(std::move(cell));
+    next_.push_back(cell);
     return;
   }
-  Labelled seen{std::move(inside), cell.nearest, cell.before};
-  if (meeting == Meeting::nearer && f.occludes) seen.nearest.clear();
-  (f.occludes ? seen.nearest : seen.before).push_back(facet);
-  next_.push_back(std::move(seen));
+  Labelled seen{inside, cell.nearest, cell.before};
+  if (meeting == Meeting::nearer && f.occludes) seen.nearest = {};
+  List& list = f.occludes ? seen.nearest : seen.before;
+  list = with(list, facet);
+  next_.push_back(seen);
 }
 
 /// Keeps the part where the side is positive and puts the rest aside; false if there is no such part.
@@ -236,17 +239,28 @@ bool LeafSubdivision<A, E>::cut(LeafPiece& inside, LeafSide side, const Labelled
   const auto [positive, negative] = pieces_.classify(inside, side, marks_);
   if (!positive) return false;
   if (!negative) return true;
-  next_.push_back({pieces_.part(inside, side, marks_, Sign::negative), labels.nearest, labels.before});
-  inside = pieces_.part(inside, side, marks_, Sign::positive);
+  const auto [kept, aside] = pieces_.split(inside, side, marks_);
+  next_.push_back({aside, labels.nearest, labels.before});
+  inside = kept;
   return true;
+}
+
+/// Lists are values that cells share: what is added makes another one.
+template <Arithmetic A, QueryEffects E>
+typename LeafSubdivision<A, E>::List LeafSubdivision<A, E>::with(List list, std::uint32_t facet) {
+  const List longer{static_cast<std::uint32_t>(listed_.size()), list.size + 1};
+  for (std::uint32_t k = 0; k < list.size; ++k) listed_.push_back(listed_[list.first + k]);
+  listed_.push_back(facet);
+  return longer;
 }
 
 template <Arithmetic A, QueryEffects E>
 template <class Visit>
 void LeafSubdivision<A, E>::for_visible(const Visit& visit) {
   for (const Labelled& cell : cells_)
-    for (const auto* list : {&cell.nearest, &cell.before})
-      for (const std::uint32_t f : *list) visit(f, [&] { return pieces_.definition(cell.piece); });
+    for (const List list : {cell.nearest, cell.before})
+      for (std::uint32_t k = 0; k < list.size; ++k)
+        visit(listed_[list.first + k], [&] { return pieces_.definition(cell.piece); });
 }
 
 }  // namespace provis
