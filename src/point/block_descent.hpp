@@ -10,6 +10,7 @@ namespace provis {
 struct DescentState {
   int depth = 0;
   int stalls = 0;  ///< halvings in a row that separated next to nothing
+  int axis = 0;    ///< to be halved next
 };
 
 /// Work says what a Part is and how it is halved. What certainly is not seen in a part is dropped from its
@@ -57,15 +58,16 @@ Outcome BlockDescent<Work>::descend(const Part& part, List list, DescentState at
     query_.progress.add(std::ldexp(work_.share(), -at.depth));
     return outcome;
   }
-  const std::pair<Part, Part> halves = work_.halves(part, at.depth);
+  const std::pair<Part, Part> halves = work_.halves(part, at.axis);
   const Part &a = halves.first, &b = halves.second;
   List in_a, in_b;
   const bool parallel = at.depth < task_depth;
   both(
       parallel, [&] { in_a = overlapping(facets_, list, work_.window(a)); },
       [&] { in_b = overlapping(facets_, list, work_.window(b)); });
-  const DescentState next{at.depth + 1,
-                          10 * std::min(in_a.size(), in_b.size()) > 9 * list.size() ? at.stalls + 1 : 0};
+  const bool stalled = 10 * std::min(in_a.size(), in_b.size()) > 9 * list.size();
+  const bool half_is_empty = in_a.empty() || in_b.empty();
+  const DescentState next{at.depth + 1, stalled ? at.stalls + 1 : 0, next_axis(at.axis, half_is_empty)};
   list = {};
   Outcome first, second;
   both(

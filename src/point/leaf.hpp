@@ -20,7 +20,8 @@ struct FacetSight {
   bool visible = false;
   bool sampled = false;
   Direction sample;  ///< where sampled: a window ray on which the facet is certainly seen
-  Cell cell;         ///< a cell of the image in which it is seen somewhere; everywhere if not sampled
+  /// A cell of the image in which it is seen somewhere, everywhere if not sampled; empty: all of the tile.
+  Cell cell;
 };
 
 template <Arithmetic A, QueryEffects E>
@@ -50,7 +51,7 @@ class Leaf {
   FacetSight look(std::uint32_t t);
 
   /// A ray on which facet t is hit strictly inside, and which meets no other occluder up to there, not even
-  /// at the hit (R11). Requires: sight is what look(t) gave.
+  /// at the hit (R11). Requires: sight is what look, glance or glimpse gave.
   WitnessPoint witness(std::uint32_t t, const FacetSight& sight);
 
   const std::vector<OrderedFacet>& members() const { return members_; }
@@ -76,6 +77,8 @@ class Leaf {
   double edge_value(std::uint32_t t, std::size_t k, const PolygonCorner& at);
   double nearer_value(std::uint32_t o, std::uint32_t t, const PolygonCorner& at);
   FacetSight subtract_all(std::uint32_t t, Members& waiting);
+  /// The part of the tile in which t has hits; empty if there is none.
+  Cell cone_in_tile(std::uint32_t t);
 
   bool sample_in(const Cell& cell, PolygonCorner& at);
   bool misses(std::uint32_t o, std::uint32_t t, const Vec3<ExactNumber>& ray);
@@ -307,18 +310,20 @@ bool Leaf<A, E>::glimpse(std::uint32_t t, Members& waiting, FacetSight& sight) {
   return false;
 }
 
+template <Arithmetic A, QueryEffects E>
+Cell Leaf<A, E>::cone_in_tile(std::uint32_t t) {
+  Region cone;
+  lines_.template append_cone<E.front_clip>(t, cone);
+  std::vector<Cell> ignored;
+  return cut(make_cell(tile_, signs_.geometry().handedness), cone, ignored);
+}
+
 /// Exactly, whatever the position: keeps the pieces of t's cell in which nothing hides it so far.
 template <Arithmetic A, QueryEffects E>
 FacetSight Leaf<A, E>::subtract_all(std::uint32_t t, Members& waiting) {
-  Region cone;
-  lines_.template append_cone<E.front_clip>(t, cone);
-  std::vector<Cell> pieces;
-  {
-    std::vector<Cell> ignored;
-    Cell seen = cut(make_cell(tile_, signs_.geometry().handedness), cone, ignored);
-    if (seen.empty()) return {};
-    pieces.push_back(std::move(seen));
-  }
+  Cell seen = cone_in_tile(t);
+  if (seen.empty()) return {};
+  std::vector<Cell> pieces{std::move(seen)};
   std::reverse(waiting.begin(), waiting.end());
   while (!pieces.empty() && !too_many(pieces.size())) {
     FacetSight sight;
@@ -380,8 +385,9 @@ WitnessPoint Leaf<A, E>::witness(std::uint32_t t, const FacetSight& sight) {
   Cell cell = sight.cell;
   if (sight.sampled) {
     // The sample proved its own neighbourhood only: subtract everything to get a cell that is seen as a
-    // whole.
-    std::vector<Cell> pieces{std::move(cell)};
+    // whole. A glance brings no cell; that bounds of rectangles were sure of what the value on the ray is not
+    // happens between nearly coplanar facets.
+    std::vector<Cell> pieces{cell.empty() ? cone_in_tile(t) : std::move(cell)};
     for (const auto& [o, nearest] : members_)
       if (o != t && facets_[o].occludes) subtract(o, t, pieces);
     if (pieces.empty()) throw Error(Error::Code::internal, "witness", "a sampled facet that is hidden");

@@ -194,8 +194,8 @@ class PaperFrame {
   // What the descent asks for.
   using Part = Window;
   bool takes(const Window& window, const std::vector<std::uint32_t>& list, DescentState at) const;
-  std::pair<Window, Window> halves(const Window& window, int depth) const {
-    return provis::halves(window, depth);
+  std::pair<Window, Window> halves(const Window& window, int axis) const {
+    return provis::halves(window, axis);
   }
   Window window(const Window& window) const { return window; }
   double share() const { return 0.5; }
@@ -219,7 +219,7 @@ template <Arithmetic A>
 bool PaperFrame<A>::takes(const Window& window, const std::vector<std::uint32_t>& list,
                           DescentState at) const {
   if (list.size() <= few || at.stalls >= most_stalls || at.depth >= most_depth ||
-      !proper(halves(window, at.depth)))
+      !proper(halves(window, at.axis)))
     return true;
   const auto visible = static_cast<std::size_t>(
       std::count_if(list.begin(), list.end(), [&](std::uint32_t f) { return data_.aggressive.get(f); }));

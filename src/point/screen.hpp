@@ -14,11 +14,17 @@ struct WindowGrid {
   Window window;
   int side = 1;  ///< cells in each direction; a power of two
 
-  double x(int i) const { return i == side ? window.x1 : window.x0 + i * ((window.x1 - window.x0) / side); }
-  double y(int j) const { return j == side ? window.y1 : window.y0 + j * ((window.y1 - window.y0) / side); }
+  double x(int i) const { return border(window.x0, window.x1, i); }
+  double y(int j) const { return border(window.y0, window.y1, j); }
 
   /// The rectangle of cells [i, i + n) x [j, j + n).
   Window block(int i, int j, int n) const { return {x(i), x(i + n), y(j), y(j + n)}; }
+
+ private:
+  /// The window's own borders, whatever the extent: that of a very large window is infinite.
+  double border(double first, double last, int k) const {
+    return k == 0 ? first : k == side ? last : first + k * ((last - first) / side);
+  }
 };
 
 /// Where a point certainly lies.

@@ -75,7 +75,13 @@ class Traversal {
   using Items = std::vector<Item>;
   using Members = std::vector<std::uint32_t>;
 
-  void descend(Items& items, const Window& window, int depth, int stalls);
+  struct Descent {
+    int depth = 0;
+    int stalls = 0;  ///< halvings in a row that separate nothing
+    int axis = 0;    ///< to be halved next
+  };
+
+  void descend(Items& items, const Window& window, const Descent& at);
   void narrow(const Window& window, Items& items) const;
   void cull_behind_cover(const Window& window, Items& items);
   void resolve(const Tile& tile, const Items& items);
@@ -97,14 +103,18 @@ class Traversal {
   Outcome& outcome_;
 };
 
-inline std::pair<Window, Window> halves(const Window& w, int depth) {
+inline std::pair<Window, Window> halves(const Window& w, int axis) {
   Window a = w, b = w;
-  if (depth % 2 == 0)
+  if (axis == 0)
     a.x1 = b.x0 = w.x0 / 2 + w.x1 / 2;
   else
     a.y1 = b.y0 = w.y0 / 2 + w.y1 / 2;
   return {a, b};
 }
+
+/// Alternately, but along the same axis again where a half is empty: across a window much wider than what is
+/// seen in it, each halving of the other axis would double the work for nothing.
+inline int next_axis(int axis, bool half_is_empty) { return half_is_empty ? axis : 1 - axis; }
 
 /// Whether both halves have an extent: a window may be a few ulps wide.
 inline bool proper(const std::pair<Window, Window>& h) {
@@ -119,11 +129,11 @@ void Traversal<A, E>::run(const Window& part) {
     const bool cut = E.front_clip && facets_.facets[f].cut;
     items[f] = {f, static_cast<std::uint8_t>(cut ? 0xf : 0x7)};
   }
-  descend(items, part, 0, 0);
+  descend(items, part, {});
 }
 
 template <Arithmetic A, QueryEffects E>
-void Traversal<A, E>::descend(Items& items, const Window& window, int depth, int stalls) {
+void Traversal<A, E>::descend(Items& items, const Window& window, const Descent& at) {
   if (query_.context.cancelled()) throw Error(Error::Code::cancelled, "point", "interrupted");
   ++outcome_.stats.nodes;
   narrow(window, items);
@@ -132,8 +142,8 @@ void Traversal<A, E>::descend(Items& items, const Window& window, int depth, int
       std::all_of(items.begin(), items.end(), [&](const Item& i) { return seen_.get(slot(i.facet)); });
   if (done && !query_.options.subdivision) return;
 
-  const auto h = halves(window, depth);
-  if (items.size() <= leaf_size || stalls >= most_stalls || depth >= most_depth || !proper(h)) {
+  const auto h = halves(window, at.axis);
+  if (items.size() <= leaf_size || at.stalls >= most_stalls || at.depth >= most_depth || !proper(h)) {
     resolve(make_tile(signs_, window), items);
     return;
   }
@@ -144,9 +154,11 @@ void Traversal<A, E>::descend(Items& items, const Window& window, int depth, int
     if (overlap(box, h.second)) b.push_back(item);
   }
   const bool stalled = 10 * std::min(a.size(), b.size()) > 9 * items.size();
+  const bool half_is_empty = a.empty() || b.empty();
   items = {};
-  descend(a, h.first, depth + 1, stalled ? stalls + 1 : 0);
-  descend(b, h.second, depth + 1, stalled ? stalls + 1 : 0);
+  const Descent next{at.depth + 1, stalled ? at.stalls + 1 : 0, next_axis(at.axis, half_is_empty)};
+  descend(a, h.first, next);
+  descend(b, h.second, next);
 }
 
 /// Drops facets that certainly have no hit in the window; notes which lines of their cones hold all of it.

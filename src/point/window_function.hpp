@@ -32,7 +32,8 @@ inline Window intersection(const Window& a, const Window& b) {
 }
 
 /// a x + b y + c lies within `error` of the true value on every ray of the window, and so does each value
-/// below; the error is infinite where nothing is known.
+/// below. Where nothing is known the error is infinite and the coefficients are zero: a coefficient that
+/// overflowed would make the bounds NaN, and a least bound that is taken over several could lose it.
 struct WindowFunction {
   double a = 0, b = 0, c = 0, error = HUGE_VAL;
 
@@ -59,7 +60,8 @@ inline WindowFunction window_function(const Vec3d& v, double radius, const Windo
   const double size = extent.of(v.x, v.y, v.z);
   const double reach = extent.x + extent.y + 1;
   const double error = (radius * reach + evaluation_error(size)) * (1 + 0x1p-20) + underflow_bound;
-  return {v.x, v.y, v.z, size + error < size_bound && reach < size_bound ? error : HUGE_VAL};
+  if (!(size + error < size_bound && reach < size_bound)) return {};
+  return {v.x, v.y, v.z, error};
 }
 
 /// Positive to the left of the way from a to b in the window (y upwards).
@@ -88,7 +90,8 @@ inline WindowFunction depth_function(const ViewGeometry& g, const Plane<Ball>& p
       ((n.error + size * plane.at_eye.radius) / least + evaluation_error(size) + 2 * unit_roundoff * size) *
           (1 + 0x1p-20) +
       underflow_bound;
-  return {a, b, c, least > 0x1p-900 && size + error < size_bound ? error : HUGE_VAL};
+  if (!(least > 0x1p-900 && size + error < size_bound)) return {};
+  return {a, b, c, error};
 }
 
 }  // namespace provis

@@ -2,7 +2,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 #include "src/point/patch.hpp"
+#include "tests/point/answers.hpp"
+#include "tests/support/oracle.hpp"
+#include "tests/support/triangles.hpp"
 
 namespace provis::test {
 namespace {
@@ -56,6 +61,27 @@ Sheet grid(int n, double depth = 1) {
 
 constexpr double none = -HUGE_VAL;
 
+/// Two triangles with one edge in common, the window's lower half and its upper half, before 130 small ones.
+/// All are seen: the lower one recedes fast from that edge. Its far corner is so far that its plane
+/// overflows, while the scale of the frame keeps all edges within range.
+Case wall_with_unknown_plane() {
+  Case c;
+  constexpr double scale = 0x1p-200, near = 0x1p280, far = 0x1p745;
+  const auto at = [](double distance, double x, double y) {
+    return Vec3d{distance * x, distance * y, -distance};
+  };
+  const Vec3d p = at(near, -10, 0), q = at(near, 10, 0.5);
+  add_triangle(c.arrays, q, p, at(far, 0, -20));
+  add_triangle(c.arrays, p, q, at(near, 0, 20));
+  for (int j = 0; j < 10; ++j)
+    for (int i = 0; i < 13; ++i) {
+      const double x = -0.9 + 0.13 * i, y = -0.95 + 0.06 * j, distance = 1.03 * near;
+      add_triangle(c.arrays, at(distance, x, y), at(distance, x + 0.1, y), at(distance, x, y + 0.05));
+    }
+  c.view.frames = {Frame{{scale, 0, 0}, {0, scale, 0}, {0, 0, -scale}, {}}};
+  return c;
+}
+
 Catch::Detail::Approx about(double depth) { return Catch::Detail::Approx(depth); }
 
 }  // namespace
@@ -102,6 +128,19 @@ TEST_CASE("a fold covers nothing that its two sides leave open") {
   s.add(a, b, c);
   s.add(a, b, d);
   CHECK(s.cover({0.5, 3.5, -1, 1}) == none);
+}
+
+TEST_CASE("a sheet with a facet of unknown depth hides nothing, whatever the order") {
+  for (const std::size_t unknown : {10u, 11u}) {  // both of the square (1, 1)
+    Sheet s = grid(4);
+    s.facets.facets[unknown].depth = {};
+    CHECK(s.cover({0.5, 3.5, 0.5, 3.5}) == none);
+  }
+  // A depth that overflows must be such a one: the least of several could lose a NaN.
+  const Case c = wall_with_unknown_plane();
+  const std::vector<bool> expected = oracle_visible(c.arrays, c.view);
+  CHECK(ids_of(expected).size() == c.arrays.triangles.size());
+  CHECK(engine_visible(c) == expected);
 }
 
 TEST_CASE("of two sheets the nearer one hides more, with the other behind it or not") {
