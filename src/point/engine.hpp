@@ -18,9 +18,10 @@ template <Arithmetic A, QueryEffects E>
 Outcome resolve_part(const Scene& scene, const FrameQuery& query, const Parts& parts, std::size_t part,
                      SeenFacets* seen, const std::vector<std::uint8_t>& known) {
   Outcome outcome;
+  // Borders are rounded as they were when the triangles were handed out: before the guard.
+  const Window window = parts.window(part);
   const RoundingGuard<A> guard;
   Signs<A> signs(query.geometry, outcome.stats.signs);
-  const Window window = parts.window(part);
   const Facets facets = make_facets(signs, scene, window, parts.members(part));
   SeenFacets own(seen != nullptr ? 0 : facets.facets.size());
   if (seen == nullptr)

@@ -157,7 +157,7 @@ template <Arithmetic A, QueryEffects E>
 bool LeafSubdivision<A, E>::too_many() const {
   const std::size_t n = inserted_, lines = 4 + 4 * n + n * n / 2;
   if constexpr (A == Arithmetic::doubles) return cells_.size() > 64 * (n + 1);
-  if (cells_.size() > lines * lines)
+  if (cells_.size() / lines > lines)
     throw Error(Error::Code::internal, "point", "more cells than an arrangement can have faces");
   return false;
 }

@@ -167,8 +167,6 @@ void Traversal<A, E>::narrow(const Window& window, Items& items) const {
   const auto outside = [&](Item& item) {
     const Facet& f = facets_.facets[item.facet];
     if (!overlap(f.box, window)) return true;
-    // All of it is here: no edge keeps it out, and none leaves the window whole.
-    if (holds(window, f.box)) return false;
     for (int k = 0; k < 3; ++k) {
       if (!(item.open & (1 << k))) continue;
       if (f.inside[k].highest(window) < 0) return true;

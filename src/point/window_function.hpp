@@ -23,10 +23,6 @@ inline bool overlap(const Window& a, const Window& b) {
   return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
 }
 
-inline bool holds(const Window& a, const Window& b) {
-  return a.x0 <= b.x0 && b.x1 <= a.x1 && a.y0 <= b.y0 && b.y1 <= a.y1;
-}
-
 inline Window intersection(const Window& a, const Window& b) {
   return {std::max(a.x0, b.x0), std::min(a.x1, b.x1), std::max(a.y0, b.y0), std::min(a.y1, b.y1)};
 }
