@@ -116,7 +116,7 @@ class Descent {
   const Facet& facet(const Entry& e) const { return outlook_.facets.all[e.facet]; }
 
   static constexpr std::ptrdiff_t few_wanted = 4;
-  static constexpr std::size_t long_list = 2048;
+  static constexpr std::size_t long_list = 2048, short_list = 128;
 
   const Outlook& outlook_;
   const Raster& raster_;
@@ -360,7 +360,7 @@ void Descent::refine(const Beam& beam, std::vector<Entry> list, int left) {
     forget_known(in);
     if (count_wanted(in) == 0) continue;
     drop_covered(half.beam, in);
-    resolve(half.beam, in, true);
+    resolve(half.beam, in, in.size() <= short_list);
     refine(half.beam, std::move(in), left - 1);
   }
 }
