@@ -1,10 +1,8 @@
 #pragma once
-// The rays of one rectangle of pixels: what they may hit, and what is proven to hide it.
+// The rays of one rectangle of pixels, and what they may hit.
 
 #include <boost/smart_ptr/intrusive_ptr.hpp>
 #include <boost/smart_ptr/intrusive_ref_counter.hpp>
-#include <optional>
-#include <vector>
 
 #include "src/offset/fusion.hpp"
 
@@ -36,56 +34,9 @@ struct Beam {
   Point ray{0, 0, 0};        ///< inside the directions
 
   Beam(const Face& viewpoints, const Raster& raster, const Shafts& shafts, const Window& window);
-};
 
-/// Occluders that together cover a beam: every ray of it meets one of them.
-struct Cover {
-  double far = 0;  ///< at no greater depth than this
-  std::vector<std::uint32_t> members;
-};
-
-/// One worker's view of a face.
-class Resolver {
- public:
-  Resolver(const std::vector<Facet>& facets, const Mesh& mesh, const Shafts& shafts)
-      : facets_(facets), fusion_(mesh), shafts_(shafts), place_(facets.size(), 0) {}
-
-  /// Fused occluders that cover the whole beam: the nearest that is found.
-  std::optional<Cover> cover(const Beam& beam, const std::vector<Entry>& list);
-
-  /// Whether the entry certainly lies behind the cover, wherever a ray of the beam hits both.
-  bool behind(const Cover& cover, const Entry& entry) const;
-
-  /// Failure::none if some occluders of the list certainly come before the entry on all rays of the beam that
-  /// hit it; Failure::seen if one such ray certainly meets nothing before it, so that no part of the beam can
-  /// hide it; otherwise what stood in the way of the nearest that came into question.
-  Failure hide(const Beam& beam, const std::vector<Entry>& list, const Entry& entry);
-
- private:
-  Point viewpoint_towards(const Beam& beam, const Point& to) const;
-  /// What is to be hidden.
-  struct Target {
-    const Facet& facet;
-    const Polygon& polygon;
-  };
-  static bool lies_beyond(const Facet& occluder, const Target& target);
-  static bool lies_beyond(const Facet& occluder, const Facet& facet);
-  double farthest(const std::vector<std::uint32_t>& members, const std::vector<Entry>& list);
-  static bool boxes_apart(const Facet& occluder, const Target& target);
-  static bool may_be_crossed(const Mesh::Edge& edge, const Face& face, const Target& target);
-  static std::optional<Sign> turn_of(const Mesh::Edge& edge, const Facet& facet, const Corner& corner,
-                                     const Vec3d& viewpoint);
-  /// Whether the line passes through the triangle's interior; nullopt where that is not certain.
-  std::optional<bool> aims_at(const Facet& facet, const Point& from, const Point& to) const;
-  /// The same for the segment.
-  std::optional<bool> crosses(const Facet& facet, const Point& from, const Point& to) const;
-
-  static constexpr std::size_t most_members = 256, most_seeds = 8;
-
-  const std::vector<Facet>& facets_;
-  Fusion fusion_;
-  const Shafts& shafts_;
-  std::vector<std::uint32_t> place_;  ///< by facet: where it is in the list at hand, if it is
+  /// A point of the face from which the middle direction, or one near it, leads to the point.
+  Point viewpoint_towards(const Point& to) const;
 };
 
 }  // namespace provis::offset

@@ -65,6 +65,8 @@ class Fusion {
   std::optional<std::vector<std::uint32_t>> grow(std::uint32_t seed, std::size_t most, const Usable& usable,
                                                  const MayCross& may_cross);
   Failure failure() const { return failure_; }
+  /// The edge at which the last failure came up; null where the seed itself was not usable.
+  const Mesh::Edge* open_edge() const { return open_edge_; }
 
  private:
   void add(std::uint32_t facet);
@@ -73,6 +75,7 @@ class Fusion {
   std::vector<int> net_;  ///< by edge; zero between calls
   std::vector<std::uint32_t> members_, touched_;
   Failure failure_ = Failure::none;
+  const Mesh::Edge* open_edge_ = nullptr;
 };
 
 template <class Usable, class MayCross>
@@ -80,6 +83,7 @@ std::optional<std::vector<std::uint32_t>> Fusion::grow(std::uint32_t seed, std::
                                                        const Usable& usable, const MayCross& may_cross) {
   members_.clear();
   touched_.clear();
+  open_edge_ = nullptr;
   failure_ = usable(seed) ? Failure::none : Failure::unusable;
   if (failure_ == Failure::none) add(seed);
   // touched_ grows while it is walked; an edge is looked at again whenever a new member runs along it.
@@ -87,6 +91,7 @@ std::optional<std::vector<std::uint32_t>> Fusion::grow(std::uint32_t seed, std::
     const std::uint32_t e = touched_[k];
     if (net_[e] == 0 || !may_cross(mesh_.edge(e))) continue;
     failure_ = Failure::open_edge;
+    open_edge_ = &mesh_.edge(e);
     for (const Mesh::Half& h : mesh_.halves(e)) {
       if (h.way * net_[e] > 0 || std::find(members_.begin(), members_.end(), h.facet) != members_.end())
         continue;

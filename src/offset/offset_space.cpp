@@ -9,7 +9,7 @@
 #include "predicates/certain_sign.hpp"
 #include "predicates/environment.hpp"
 #include "provis/error.hpp"
-#include "src/offset/beam.hpp"
+#include "src/offset/resolver.hpp"
 #include "src/scene/parallel.hpp"
 #include "src/scene/stopwatch.hpp"
 
@@ -101,9 +101,13 @@ class Descent {
     std::size_t first = 0, count = Shafts::count;
     std::span<const HalfSpace> cuts() const { return std::span(beam.spaces).subspan(first, count); }
   };
-  std::array<Half, 2> halves(const Beam& beam, const std::vector<Entry>& list) const;
+  std::array<Half, 2> halves(const Beam& beam, double depth) const;
+  void look_at_pixel(const Beam& beam, std::vector<Entry> list);
+  void shorten(const Beam& beam, std::vector<Entry> list, int left);
+  static double least_depth(const std::vector<Entry>& list);
+  static double middle_depth(const std::vector<Entry>& list) { return list[list.size() / 2].near; }
   void drop_covered(const Beam& beam, std::vector<Entry>& list);
-  std::uint64_t resolve(const Beam& beam, std::vector<Entry>& list);
+  std::uint64_t resolve(const Beam& beam, std::vector<Entry>& list, bool by_sides);
   void keep(Entry& entry);
   void count(Failure f);
   void measure(Entry& entry, const Polygon& polygon) const;
@@ -112,6 +116,7 @@ class Descent {
   const Facet& facet(const Entry& e) const { return outlook_.facets.all[e.facet]; }
 
   static constexpr std::ptrdiff_t few_wanted = 4;
+  static constexpr std::size_t long_list = 2048, short_list = 128;
 
   const Outlook& outlook_;
   const Raster& raster_;
@@ -122,6 +127,13 @@ class Descent {
   OffsetStats stats_;
   const Context& context_;
 };
+
+/// As many as would make a list short if each shared it among two, and two more.
+int halvings_for(std::size_t entries, std::size_t shorter) {
+  int n = 2;
+  for (; entries > shorter; entries /= 2) ++n;
+  return n;
+}
 
 std::ptrdiff_t count_wanted(const std::vector<Entry>& list) {
   return std::count_if(list.begin(), list.end(), [](const Entry& e) { return e.wanted; });
@@ -214,12 +226,12 @@ void Descent::drop_covered(const Beam& beam, std::vector<Entry>& list) {
 
 /// What is proven to be hidden in the beam is no longer wanted in it; what is seen, nowhere. Returns how much
 /// is hidden.
-std::uint64_t Descent::resolve(const Beam& beam, std::vector<Entry>& list) {
+std::uint64_t Descent::resolve(const Beam& beam, std::vector<Entry>& list, bool by_sides) {
   const Timer timer(stats_.seconds_resolve);
   std::uint64_t hidden = 0;
   for (Entry& e : list) {
     if (!e.wanted) continue;
-    e.failure = resolver_.hide(beam, list, e);
+    e.failure = resolver_.hide(beam, list, e, by_sides);
     if (e.failure == Failure::seen) keep(e);
     if (e.failure == Failure::none) {
       e.wanted = false;
@@ -267,16 +279,8 @@ void Descent::halve(const Block& block, std::vector<Entry> list, std::optional<s
   forget_known(list);
   if (count_wanted(list) == 0) return;
   drop_covered(beam, list);
-  if (block.is_pixel()) {
-    const auto asked = static_cast<std::uint64_t>(count_wanted(list));
-    ++stats_.lists;
-    stats_.list_entries += list.size();
-    stats_.list_most = std::max<std::uint64_t>(stats_.list_most, list.size());
-    stats_.resolved += asked;
-    stats_.resolved_hidden += resolve(beam, list);
-    return refine(beam, std::move(list), refinements_);
-  }
-  if (count_wanted(list) <= few_wanted) resolve(beam, list);
+  if (block.is_pixel()) return shorten(beam, std::move(list), halvings_for(list.size(), long_list));
+  if (count_wanted(list) <= few_wanted) resolve(beam, list, false);
   if (count_wanted(list) == 0) return;
   Block first = block, second = block;
   const bool across = block.column1 - block.column0 >= block.row1 - block.row0;
@@ -288,14 +292,42 @@ void Descent::halve(const Block& block, std::vector<Entry> list, std::optional<s
   halve(second, std::move(list), across ? Shafts::right : Shafts::above);
 }
 
-/// Halves a beam where its shaft is widest: one of two edges of the face, or one of two ranges of directions,
-/// taken at the depth of what is to be decided.
-std::array<Descent::Half, 2> Descent::halves(const Beam& beam, const std::vector<Entry>& list) const {
-  const Vec3d size = beam.face.corners[2] - beam.face.corners[0];
-  const Window& w = beam.directions;
+/// In a pixel each entry is held against the others, which takes the square of their number: a list that is
+/// too long for that is shared among parts of the pixel first.
+void Descent::shorten(const Beam& beam, std::vector<Entry> list, int left) {
+  if (list.size() <= long_list || left == 0) return look_at_pixel(beam, std::move(list));
+  for (const Half& half : halves(beam, middle_depth(list))) {
+    std::vector<Entry> in = part(half.cuts(), list);
+    forget_known(in);
+    if (count_wanted(in) == 0) continue;
+    drop_covered(half.beam, in);
+    if (count_wanted(in) <= few_wanted) resolve(half.beam, in, false);
+    if (count_wanted(in) != 0) shorten(half.beam, std::move(in), left - 1);
+  }
+}
+
+void Descent::look_at_pixel(const Beam& beam, std::vector<Entry> list) {
+  const auto asked = static_cast<std::uint64_t>(count_wanted(list));
+  ++stats_.lists;
+  stats_.list_entries += list.size();
+  stats_.list_most = std::max<std::uint64_t>(stats_.list_most, list.size());
+  stats_.resolved += asked;
+  stats_.resolved_hidden += resolve(beam, list, false);
+  refine(beam, std::move(list), refinements_);
+}
+
+double Descent::least_depth(const std::vector<Entry>& list) {
   double depth = HUGE_VAL;
   for (const Entry& e : list)
     if (e.wanted) depth = std::min(depth, e.near);
+  return depth;
+}
+
+/// Halves a beam where its shaft is widest at a depth: one of two edges of the face, or one of two ranges of
+/// directions.
+std::array<Descent::Half, 2> Descent::halves(const Beam& beam, double depth) const {
+  const Vec3d size = beam.face.corners[2] - beam.face.corners[0];
+  const Window& w = beam.directions;
   const double reach = depth - shafts_.depth(beam.viewpoint).inf();
   const int i = (beam.face.axis + 1) % 3, j = (beam.face.axis + 2) % 3;
   const double widths[4] = {component(size, i), component(size, j), reach * (w.x1 - w.x0),
@@ -322,13 +354,13 @@ void Descent::refine(const Beam& beam, std::vector<Entry> list, int left) {
       if (e.wanted) keep(e);
     return;
   }
-  for (const Half& half : halves(beam, list)) {
+  for (const Half& half : halves(beam, least_depth(list))) {
     ++stats_.refined;
     std::vector<Entry> in = part(half.cuts(), list);
     forget_known(in);
     if (count_wanted(in) == 0) continue;
     drop_covered(half.beam, in);
-    resolve(half.beam, in);
+    resolve(half.beam, in, in.size() <= short_list);
     refine(half.beam, std::move(in), left - 1);
   }
 }

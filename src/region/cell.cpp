@@ -146,16 +146,15 @@ void Query::aim_at_undecided() {
 void Query::conclude() {
   std::vector<Status>& status = result_.set.status;
   BoundStats& b = result_.bounds;
-  constexpr int most_looks = 64;
-  int looks = 0;
+  std::vector<PrimitiveId> close;
   for (PrimitiveId id = 0; id < status.size(); ++id) {
     if (lower_.holds(id)) status[id] = Status::visible;
     if (contacts_[id] != Contact::visible) continue;
     status[id] = Status::visible;
     ++b.touching;
-    if (!lower_.holds(id) && looks++ < most_looks) lower_.look_at_contact(id);
+    if (!lower_.holds(id)) close.push_back(id);
   }
-  // A look at one may have found another that an earlier look missed.
+  lower_.look_at_contacts(close);
   for (PrimitiveId id = 0; id < status.size(); ++id)
     if (contacts_[id] == Contact::visible && !lower_.holds(id)) result_.unwitnessed.push_back(id);
   b.unwitnessed = result_.unwitnessed.size();

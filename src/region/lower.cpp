@@ -1,9 +1,7 @@
 #include "src/region/lower.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "predicates/formulas.hpp"
 #include "provis/error.hpp"
 #include "provis/segment.hpp"
 #include "src/region/cell_paths.hpp"
@@ -100,32 +98,16 @@ std::uint64_t LowerSet::aim_at(const std::vector<PrimitiveId>& ids, int rays, st
       std::count_if(ids.begin(), ids.end(), [&](PrimitiveId id) { return holds(id); }));
 }
 
-bool LowerSet::look_at_contact(PrimitiveId id) {
-  const Vec3d &a = scene_.corner(id, 0), &b = scene_.corner(id, 1), &c = scene_.corner(id, 2);
-  const Vec3d n = cross(b - a, c - a);
-  const double length = std::sqrt(dot(n, n)), size = std::sqrt(length);
-  if (!(length > 0)) return false;
-  const auto in_cell = [&](const Vec3d& p) {
-    return p.x >= cell_.lower.x && p.x <= cell_.upper.x && p.y >= cell_.lower.y && p.y <= cell_.upper.y &&
-           p.z >= cell_.lower.z && p.z <= cell_.upper.z;
-  };
-  constexpr int steps = 8;
-  int attempts = 0;
-  for (int i = 0; i < steps; ++i)
-    for (int j = 0; i + j < steps; ++j) {
-      const Vec3d target = a + ((i + 0.31) / steps) * (b - a) + ((j + 0.37) / steps) * (c - a);
-      if (!in_cell(target)) continue;
-      for (const double side : {0x1p-8, -0x1p-8, 0x1p-20, -0x1p-20}) {
-        const Vec3d eye = target + (side * size / length) * n;
-        if (eye == target || !in_cell(eye) || on_occluder(scene_, eye)) continue;
-        if (++attempts > 16) return false;
-        PointView view = view_from(cell_, eye);
-        if (!cell_.window) view = look_at({eye, target - eye, {0, 1, 0}, 1, 1, 1});
-        keep(queries_.ask(view, true), false);
-        if (holds(id)) return true;
-      }
-    }
-  return false;
+void LowerSet::look_at_contacts(const std::vector<PrimitiveId>& ids) {
+  if (ids.empty()) return;
+  const Context& context = queries_.context();
+  const RandomRays rays(scene_, cell_);
+  on_threads(context, [&] {
+    parallel_for(ids.size(), [&](std::size_t k) {
+      if (context.cancelled()) throw Error(Error::Code::cancelled, "cell", "interrupted");
+      witnesses_[ids[k]] = rays.from_close_by(ids[k]);
+    });
+  });
 }
 
 }  // namespace provis

@@ -42,8 +42,8 @@ class LowerSet {
   std::uint64_t aim_at(const std::vector<PrimitiveId>& ids, int rays, std::uint64_t seed,
                        ProgressMeter& meter);
 
-  /// Looks at one triangle from close by. Returns whether it was seen.
-  bool look_at_contact(PrimitiveId id);
+  /// Rays from close by at each of these, which meet the cell.
+  void look_at_contacts(const std::vector<PrimitiveId>& ids);
 
  private:
   std::uint64_t keep(const VisibleSet& set, bool check_origins);

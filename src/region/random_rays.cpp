@@ -55,13 +55,37 @@ std::optional<Witness> RandomRays::aim_at(PrimitiveId id, int rays, std::uint64_
   Random random(seed, id);
   for (int k = 0; k < rays; ++k) {
     const auto [start, towards] = any_ray(id, random);
-    if (!finite(towards)) continue;  // farther apart than numbers reach
-    const RoundUp guard;
-    const Ray ray(start, towards);
-    if (!hits(ray, id) || !in_window(towards) || blocked(ray, id) || on_occluder(start)) continue;
-    return Witness{id, dyadic(ray.origin), dyadic(ray.direction)};
+    if (const auto witness = prove(id, start, towards)) return witness;
   }
   return std::nullopt;
+}
+
+std::optional<Witness> RandomRays::from_close_by(PrimitiveId id) const {
+  const RoundNearest guard;
+  const Vec3d &a = scene_.corner(id, 0), &b = scene_.corner(id, 1), &c = scene_.corner(id, 2);
+  const Vec3d n = cross(b - a, c - a);
+  const double length = std::sqrt(dot(n, n)), size = std::sqrt(length);
+  if (!(length > 0)) return std::nullopt;
+  const Box box{cell_.lower, cell_.upper};
+  constexpr int steps = 8;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; i + j < steps; ++j) {
+      const Vec3d target = a + ((i + 0.31) / steps) * (b - a) + ((j + 0.37) / steps) * (c - a);
+      for (const double side : {0x1p-8, -0x1p-8, 0x1p-20, -0x1p-20}) {
+        const Vec3d start = target + (side * size / length) * n;
+        if (!meet(box, {start, start})) continue;
+        if (const auto witness = prove(id, start, target - start)) return witness;
+      }
+    }
+  return std::nullopt;
+}
+
+std::optional<Witness> RandomRays::prove(PrimitiveId id, const Vec3d& start, const Vec3d& towards) const {
+  if (!finite(towards)) return std::nullopt;  // farther apart than numbers reach
+  const RoundUp guard;
+  const Ray ray(start, towards);
+  if (!hits(ray, id) || !in_window(towards) || blocked(ray, id) || on_occluder(start)) return std::nullopt;
+  return Witness{id, dyadic(ray.origin), dyadic(ray.direction)};
 }
 
 /// Start and direction.

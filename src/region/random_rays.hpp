@@ -1,5 +1,5 @@
 #pragma once
-// Rays from random viewpoints of a cell to random points of a triangle: what they prove.
+// Rays from random viewpoints of a cell to random points of a triangle, or from close by: what they prove.
 
 #include <optional>
 #include <utility>
@@ -23,9 +23,14 @@ class RandomRays {
   /// The first witness among so many rays aimed at the triangle; the same for the same seed.
   std::optional<Witness> aim_at(PrimitiveId id, int rays, std::uint64_t seed) const;
 
+  /// The first witness among rays from viewpoints just before and behind points of a triangle that meets the
+  /// cell.
+  std::optional<Witness> from_close_by(PrimitiveId id) const;
+
  private:
   struct Ray;
 
+  std::optional<Witness> prove(PrimitiveId id, const Vec3d& start, const Vec3d& towards) const;
   std::pair<Vec3d, Vec3d> any_ray(PrimitiveId id, Random& random) const;
   RaySigns<ExactNumber> signs(const Ray& ray, PrimitiveId t) const;
   std::optional<Sign> reaches(RaySigns<ExactNumber>& signs, PrimitiveId t) const;

@@ -91,6 +91,51 @@ TEST_CASE("a gap between two walls is no shared edge") {
   }
 }
 
+TEST_CASE("walls that overlap without sharing an edge hide together") {
+  // However thin the strip is in which they overlap, and if one of them lies behind the other.
+  for (const double overlap : {0x1p-50, 0x1p-40, 0.5})
+    for (const double depth : {0.0, 0x1p-50, 0.5}) {
+      SceneArrays s;
+      add_wall(s, {-9, -9, -1 - depth}, {overlap + 2 * depth, 9, -1 - depth});
+      add_wall(s, {0, -9, -1}, {9, 9, -1});
+      add_wall(s, {-1, -1, -3}, {1, 1, -3});
+      INFO(overlap << ' ' << depth);
+      CHECK(hidden(s, cell, 3) == Ids{4, 5});
+    }
+}
+
+TEST_CASE("a rounded T-junction hides where the edges overlap, and shows where they are apart") {
+  // The left wall's long edge, and two right walls that meet at its middle but for a little; then all of it
+  // sheared, so that no coordinate is a grid's.
+  for (const double middle : {-0x1p-52, -0x1p-30, 0x1p-52, 0x1p-30})
+    for (const double shear : {0.0, 0.1}) {
+      SceneArrays s;
+      s.vertices = {{0, -9, -1}, {0, 9, -1}, {-9, -9, -1}, {-9, 9, -1},
+                    {9, -9, -1}, {9, 9, -1}, {9, 0, -1},   {middle, 0, -1}};
+      s.triangles = {{0, 1, 2}, {2, 1, 3}, {0, 4, 7}, {4, 6, 7}, {7, 6, 5}, {7, 5, 1}};
+      s.triangle_flags.assign(6, 0);
+      add_wall(s, {-0.25, -1, -3}, {0.25, 1, -3});
+      for (Vec3d& v : s.vertices) v.x += shear * v.y;
+      INFO(middle << ' ' << shear);
+      CHECK(hidden(s, cell, 3) == (s.vertices[7].x < 0 ? Ids{6, 7} : Ids{}));
+    }
+}
+
+TEST_CASE("occluders that meet in one vertex hide together, though two of their edges stay open") {
+  // Three quarters of a wall around (0, 0, -1), and a triangle that covers the fourth and reaches over one of
+  // its neighbours; there it stands out towards the cell, or lies behind.
+  for (const double z : {-0.5, -1.5}) {
+    SceneArrays s;
+    s.vertices = {{0, 0, -1},  {0, 9, -1},  {-9, 9, -1}, {-9, 0, -1}, {-9, -9, -1},
+                  {0, -9, -1}, {9, -9, -1}, {9, 0, -1},  {-4, 9, z}};
+    s.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 8}};
+    s.triangle_flags.assign(7, 0);
+    add_wall(s, {-0.25, -0.25, -3}, {0.25, 0.25, -3});
+    INFO(z);
+    CHECK(hidden(s, cell, 3) == Ids{7, 8});
+  }
+}
+
 TEST_CASE("see-through walls and absent sides hide nothing") {
   for (const int flags : {0, int{see_through}, int{single_sided}}) {
     SceneArrays s;

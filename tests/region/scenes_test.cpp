@@ -32,8 +32,9 @@ void compare(const Scene& scene, const ViewCell& cell) {
   REQUIRE(verify_witnesses(scene, cell, lower) == lower.set.witnesses.size());
   std::cout << lower.set.witnesses.size() << " proven, " << upper.bounds.hidden << " hidden of "
             << scene.primitive_count() << "\n";
-  // Beside walls, something is hidden from every cell of these scenes.
-  CHECK(upper.bounds.hidden > 0);
+  // Beside walls, something is hidden from every cell of these scenes, but where the cell holds all of one.
+  const bool inside = upper.bounds.touching == scene.primitive_count();
+  CHECK((inside || upper.bounds.hidden > 0));
 }
 
 void compare(const std::filesystem::path& file, std::size_t views) {
@@ -61,12 +62,21 @@ TEST_CASE("quake_bsp_e1m1: the upper set of a cell holds the lower set") {
 
 TEST_CASE("all real scenes: the upper set of a cell holds the lower set") {
   if (!nightly()) return;
-  std::vector<std::filesystem::path> files;
+  // Six faces of triangles and edges take about 500 bytes for each triangle: 3.7 GB and some minutes a cell
+  // at this bound.
+  constexpr std::size_t most_triangles = 8'000'000;
+  std::vector<std::pair<std::size_t, std::filesystem::path>> scenes;
   for (const auto& entry : std::filesystem::directory_iterator(shared_scenes_folder()))
     if (entry.path().extension() == ".glb" && !named_views(entry.path()).empty())
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) compare(file, 1);
+      scenes.emplace_back(load_scene(entry.path()).triangles().size(), entry.path());
+  std::sort(scenes.begin(), scenes.end());
+  for (const auto& [triangles, file] : scenes) {
+    if (triangles <= most_triangles)
+      compare(file, 1);
+    else
+      std::cout << "above " << most_triangles << " triangles: " << file.stem().string() << ", " << triangles
+                << "\n";
+  }
 }
 
 }  // namespace provis::test
