@@ -32,6 +32,9 @@ class LeafSubdivision {
   /// if nothing is left.
   bool subtract(std::uint32_t occluder);
 
+  /// How many cells there are.
+  std::size_t size() const { return cells_.size(); }
+
   /// Calls visit(facet, cell) for each facet that is seen throughout the cell, cell by cell. `cell` makes the
   /// definition of the cell when called.
   template <class Visit>

@@ -63,8 +63,9 @@ class Traversal {
 
  private:
   static constexpr bool quick = A == Arithmetic::chain || A == Arithmetic::doubles;
-  static constexpr std::size_t leaf_size = quick ? 128 : 32;  ///< one by one, facets cost the square of it
-  static constexpr std::size_t largest_patch = 192;           ///< of a rectangle that is about to be halved
+  static constexpr std::size_t small_leaf = quick ? 128 : 32;  ///< one by one, facets cost the square of it
+  static constexpr std::size_t large_leaf = quick ? 256 : 32;  ///< where few cells hide all the rest
+  static constexpr std::size_t largest_patch = 192;            ///< of a rectangle that is about to be halved
   static constexpr std::size_t most_alone = 2;  ///< facets of a leaf that are decided one by one
   static constexpr int most_vain = 8;           ///< rays in a row that show nothing
   static constexpr int most_stalls = 3;         ///< halvings in a row that separate nothing
@@ -101,6 +102,7 @@ class Traversal {
   SeenFacets& seen_;
   bool shared_;
   Outcome& outcome_;
+  std::size_t leaf_size_ = small_leaf;  ///< as the last leaf that was shared suggests: neighbours are alike
 };
 
 inline std::pair<Window, Window> halves(const Window& w, int axis) {
@@ -143,7 +145,7 @@ void Traversal<A, E>::descend(Items& items, const Window& window, const Descent&
   if (done && !query_.options.subdivision) return;
 
   const auto h = halves(window, at.axis);
-  if (items.size() <= leaf_size || at.stalls >= most_stalls || at.depth >= most_depth || !proper(h)) {
+  if (items.size() <= leaf_size_ || at.stalls >= most_stalls || at.depth >= most_depth || !proper(h)) {
     resolve(make_tile(signs_, window), items);
     return;
   }
@@ -197,7 +199,7 @@ void Traversal<A, E>::cull_behind_cover(const Window& window, Items& items) {
     });
     return;
   }
-  if (items.size() <= leaf_size || items.size() > largest_patch) return;
+  if (items.size() <= leaf_size_ || items.size() > largest_patch) return;
   patch_.clear();
   for (const Item& item : items)
     if (facet(item).occludes && !(E.front_clip && facet(item).cut)) patch_.add(item.facet, window);
@@ -263,6 +265,9 @@ void Traversal<A, E>::share(Leaf<A, E>& leaf, LeafSubdivision<A, E>& subdivision
     if (subdivision.too_many()) break;
     subdivision.insert(m);
   }
+  // The cells of a subdivision must not depend on what other threads have seen by now.
+  if (!query_.options.subdivision)
+    leaf_size_ = 2 * subdivision.size() > leaf.members().size() ? small_leaf : large_leaf;
   outcome_.stats.subtractions += leaf.members().size();
   see_all(leaf, subdivision);
 }
