@@ -185,11 +185,11 @@ template <Arithmetic A>
 bool LeafPieces<A>::behind(std::uint32_t other, const LeafPiece& piece) const {
   const Facet& f = facets_[facet_];
   if (!overlap(piece.box, f.box)) return false;
-  const WindowFunction farther = difference(facets_[other].depth, f.depth);
-  if (farther.lowest(intersection(piece.box, f.box)) > 0) return true;
-  const double slope = std::fabs(farther.a) + std::fabs(farther.b);
+  const LeafBand farther(difference(facets_[other].depth, f.depth));
+  if (farther.function.lowest(intersection(piece.box, f.box)) > 0) return true;
+  // A bound here too under every policy.
   return all_corners(piece, [&](const LeafCorner& c) {
-    return farther.at(c.x, c.y) > (3 * farther.error + slope * c.error) * (1 + 0x1p-20);
+    return quick_sign<Arithmetic::chain>(farther, c) == Sign::positive;
   });
 }
 
