@@ -77,25 +77,4 @@ Interval turn(const Vec3d& a, const Vec3d& b, const Point& p, const Point& o) {
   return dot(cross(numbers<Interval>(a) - o, numbers<Interval>(b) - o), p - o);
 }
 
-std::optional<bool> aims_at(const Facet& f, const Point& from, const Point& to) {
-  bool left = false, right = false, all_left = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Interval t = turn(*f.p[k], *f.p[(k + 1) % 3], to, from);
-    left = left || t.inf() > 0;
-    right = right || t.sup() < 0;
-    all_left = all_left && t.inf() > 0;
-  }
-  // A faced triangle is hit only where all three are positive.
-  if (f.faced ? right : left && right) return false;
-  return f.faced && all_left ? std::optional(true) : std::nullopt;
-}
-
-std::optional<bool> crosses(const Facet& f, const Point& from, const Point& to) {
-  const std::optional<bool> aimed = aims_at(f, from, to);
-  if (aimed == false || !f.faced) return aimed;
-  const std::optional<Sign> side = beyond(f, to);
-  if (side == Sign::negative) return false;
-  return side == Sign::positive ? aimed : std::nullopt;
-}
-
 }  // namespace provis::offset

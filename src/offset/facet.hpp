@@ -42,9 +42,4 @@ std::optional<Sign> beyond(const Facet& f, const Point& p);
 Sign turn(const Vec3d& a, const Vec3d& b, const Vec3d& p, const Vec3d& o);
 Interval turn(const Vec3d& a, const Vec3d& b, const Point& p, const Point& o);
 
-/// Whether the line passes through the triangle's interior; nullopt where that is not certain.
-std::optional<bool> aims_at(const Facet& f, const Point& from, const Point& to);
-/// The same for the segment.
-std::optional<bool> crosses(const Facet& f, const Point& from, const Point& to);
-
 }  // namespace provis::offset

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/offset/sight_line.hpp"
 #include "src/offset/target.hpp"
 
 namespace provis::offset {
@@ -11,13 +12,13 @@ std::optional<Cover> Resolver::cover(const Beam& beam, const std::vector<Entry>&
   // Where a window leads back into the cell too, only the rays that leave it count.
   const Interval& out = component(beam.ray, beam.face.axis);
   if (!(beam.face.upper ? out.inf() > 0 : out.sup() < 0)) return std::nullopt;
-  const Point ahead = beam.viewpoint + beam.ray;
+  const SightLine middle(beam.viewpoint, beam.viewpoint + beam.ray);
   const auto any = [](std::uint32_t) { return true; };
   const auto reaches = [&](const Mesh::Edge& e) { return !misses(*e.ends[0], *e.ends[1], beam.spaces); };
   std::size_t seeds = 0;
   for (const Entry& entry : list) {
     const Facet& f = facets_[entry.facet];
-    if (!f.occludes || aims_at(f, beam.viewpoint, ahead) != true) continue;
+    if (!f.occludes || middle.aims_at(f) != true) continue;
     if (++seeds > most_seeds) break;
     const auto members = fusion_.grow(entry.facet, most_members, any, reaches);
     if (!members) continue;
@@ -47,29 +48,28 @@ bool Resolver::behind(const Cover& cover, const Entry& entry) const {
   return cover.members.size() <= few &&
          std::all_of(cover.members.begin(), cover.members.end(), [&](std::uint32_t m) {
            if (m == entry.facet) return false;
-           return entry.cut ? lies_beyond(facets_[m], Target{facet, *entry.cut})
-                            : lies_beyond(facets_[m], facet);
+           return entry.cut ? lies_beyond(facets_[m], facet, *entry.cut) : lies_beyond(facets_[m], facet);
          });
 }
 
 /// One entry against the occluders of its list.
 class Resolver::Hiding {
  public:
-  Hiding(Resolver& resolver, const Beam& beam, const std::vector<Entry>& list, const Entry& entry)
+  Hiding(Resolver& resolver, const Beam& beam, const Shadows& shadows, const Entry& entry)
       : resolver_(resolver),
         facets_(resolver.facets_),
         beam_(beam),
-        list_(list),
+        shadows_(shadows),
         entry_(entry),
         polygon_(polygon_of(entry, facets_[entry.facet])),
-        target_{facets_[entry.facet], polygon_} {}
+        target_(facets_[entry.facet], polygon_, beam.face) {}
 
   Failure all();
   bool by_sides();
 
  private:
   bool usable(std::uint32_t m) const {
-    return m != entry_.facet && (lies_beyond(facets_[m], target_) || boxes_apart(facets_[m], target_));
+    return m != entry_.facet && (target_.box_apart_from(facets_[m]) || target_.lies_beyond(facets_[m]));
   }
   bool on_side(const Side& side);
   void try_line(const Mesh::Edge* line) {
@@ -79,7 +79,7 @@ class Resolver::Hiding {
   Resolver& resolver_;
   const std::vector<Facet>& facets_;
   const Beam& beam_;
-  const std::vector<Entry>& list_;
+  const Shadows& shadows_;
   const Entry& entry_;
   Polygon polygon_;
   Target target_;
@@ -89,26 +89,35 @@ class Resolver::Hiding {
 /// All segments at once.
 Failure Resolver::Hiding::all() {
   const Point to = inner_point(polygon_), from = beam_.viewpoint_towards(to);
-  const auto may_cross = [&](const Mesh::Edge& e) { return may_be_crossed(e, beam_.face, target_); };
+  const SightLine sight(from, to);
+  const auto may_cross = [&](const Mesh::Edge& e) { return target_.may_meet(e); };
+  const auto usable = [&](std::uint32_t m) { return this->usable(m); };
+  const auto hides = [&](std::uint32_t seed) {
+    return resolver_.fusion_.grow(seed, most_members, usable, may_cross).has_value();
+  };
+  // What hid the last triangle often hides this one.
+  std::uint32_t& last = resolver_.last_seed_;
+  if (last < facets_.size() && sight.crosses(facets_[last]) == true && hides(last)) return Failure::none;
   std::size_t seeds = 0;
+  bool clear = target_.facet().faced && resolver_.shafts_.holds(beam_.directions, to - from), hidden = false;
   Failure first = Failure::nothing_between;
-  bool clear = target_.facet.faced && resolver_.shafts_.holds(beam_.directions, to - from);
-  for (const Entry& occluder : list_) {
-    if (occluder.near > entry_.far) break;  // the list is in order of least depth
-    const Facet& f = facets_[occluder.facet];
-    if (!f.opaque || occluder.facet == entry_.facet || (!f.occludes && !clear)) continue;
-    const std::optional<bool> crossed = crosses(f, from, to);
+  shadows_.along(from, to, entry_.far, [&](std::uint32_t occluder) {
+    const Facet& f = facets_[occluder];
+    if (occluder == entry_.facet || (!f.occludes && !clear)) return false;
+    const std::optional<bool> crossed = sight.crosses(f);
     clear = clear && crossed == false;
-    if (!f.occludes || crossed != true) continue;
-    if (++seeds > most_seeds) break;
-    Fusion& fusion = resolver_.fusion_;
-    if (fusion.grow(
-            occluder.facet, most_members, [&](std::uint32_t m) { return usable(m); }, may_cross))
-      return Failure::none;
-    try_line(fusion.open_edge());
-    if (seeds == 1) first = fusion.failure();
-  }
-  return clear ? Failure::seen : first;
+    if (!f.occludes || crossed != true) return false;
+    if (++seeds > most_seeds) return true;
+    hidden = hides(occluder);
+    if (hidden) {
+      last = occluder;
+      return true;
+    }
+    try_line(resolver_.fusion_.open_edge());
+    if (seeds == 1) first = resolver_.fusion_.failure();
+    return false;
+  });
+  return hidden ? Failure::none : clear ? Failure::seen : first;
 }
 
 /// Those on either side of an edge that was in the way, each side by occluders of its own. Where two borders
@@ -126,32 +135,34 @@ bool Resolver::Hiding::by_sides() {
 bool Resolver::Hiding::on_side(const Side& side) {
   const auto segment = side.some_segment(polygon_);
   if (!segment) return false;
+  const SightLine sight(segment->from, segment->to);
   std::vector<const Mesh::Edge*> ends;  // of what hides this side, on the other side
   const auto may_cross = [&](const Mesh::Edge& e) {
-    if (!may_be_crossed(e, beam_.face, target_)) return false;
+    if (!target_.may_meet(e)) return false;
     if (!side.leaves_out(e)) return true;
     ends.push_back(&e);
     return false;
   };
   std::size_t seeds = 0;
-  for (const Entry& occluder : list_) {
-    if (occluder.near > entry_.far) break;
-    const Facet& f = facets_[occluder.facet];
-    if (!f.occludes || occluder.facet == entry_.facet || crosses(f, segment->from, segment->to) != true)
-      continue;
-    if (++seeds > most_seeds) break;
+  bool hidden = false;
+  shadows_.along(segment->from, segment->to, entry_.far, [&](std::uint32_t occluder) {
+    const Facet& f = facets_[occluder];
+    if (!f.occludes || occluder == entry_.facet || sight.crosses(f) != true) return false;
+    if (++seeds > most_seeds) return true;
     ends.clear();
-    if (resolver_.fusion_.grow(
-            occluder.facet, most_members, [&](std::uint32_t m) { return usable(m); }, may_cross)) {
-      for (const Mesh::Edge* e : ends) try_line(e);
-      return true;
-    }
-  }
-  return false;
+    hidden = resolver_.fusion_
+                 .grow(
+                     occluder, most_members, [&](std::uint32_t m) { return usable(m); }, may_cross)
+                 .has_value();
+    return hidden;
+  });
+  if (hidden)
+    for (const Mesh::Edge* e : ends) try_line(e);
+  return hidden;
 }
 
-Failure Resolver::hide(const Beam& beam, const std::vector<Entry>& list, const Entry& entry, bool by_sides) {
-  Hiding hiding(*this, beam, list, entry);
+Failure Resolver::hide(const Beam& beam, const Shadows& shadows, const Entry& entry, bool by_sides) {
+  Hiding hiding(*this, beam, shadows, entry);
   const Failure failure = hiding.all();
   return by_sides && failure != Failure::seen && failure != Failure::none && hiding.by_sides() ? Failure::none
                                                                                                : failure;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "src/offset/beam.hpp"
+#include "src/offset/shadows.hpp"
 #include "src/offset/side.hpp"
 
 namespace provis::offset {
@@ -32,7 +32,7 @@ class Resolver {
   /// hide it; otherwise what stood in the way of the nearest that came into question.
   /// by_sides: where an edge stands in the way, each side of its line is tried alone, which may take thrice
   /// as long.
-  Failure hide(const Beam& beam, const std::vector<Entry>& list, const Entry& entry, bool by_sides);
+  Failure hide(const Beam& beam, const Shadows& shadows, const Entry& entry, bool by_sides);
 
  private:
   class Hiding;
@@ -43,7 +43,8 @@ class Resolver {
   const std::vector<Facet>& facets_;
   Fusion fusion_;
   const Shafts& shafts_;
-  std::vector<std::uint32_t> place_;  ///< by facet: where it is in the list at hand, if it is
+  std::uint32_t last_seed_ = UINT32_MAX;  ///< an occluder
+  std::vector<std::uint32_t> place_;      ///< by facet: where it is in the list at hand, if it is
 };
 
 }  // namespace provis::offset

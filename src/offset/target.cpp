@@ -3,32 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "predicates/certain_sign.hpp"
+
 namespace provis::offset {
-namespace {
-
-/// The extent of a polygon along an axis.
-Interval extent(const Polygon& p, int axis) {
-  double lo = HUGE_VAL, hi = -HUGE_VAL;
-  for (std::size_t k = 0; k < p.size; ++k) {
-    const Interval& x = component(p.corners[k].at, axis);
-    lo = std::min(lo, x.inf());
-    hi = std::max(hi, x.sup());
-  }
-  return {lo, hi};
-}
-
-bool certainly(const std::optional<Sign>& s, Sign wanted) { return s && *s == wanted; }
-
-std::optional<Sign> turn_of(const Mesh::Edge& edge, const Facet& f, const Corner& corner,
-                            const Vec3d& viewpoint) {
-  if (corner.input < 0)
-    return sign_of(turn(*edge.ends[0], *edge.ends[1], corner.at, numbers<Interval>(viewpoint)));
-  const auto i = static_cast<std::size_t>(corner.input);
-  if (f.v[i] == edge.v[0] || f.v[i] == edge.v[1]) return Sign::zero;
-  return turn(*edge.ends[0], *edge.ends[1], *f.p[i], viewpoint);
-}
-
-}  // namespace
 
 /// A mean of the corners.
 Point inner_point(const Polygon& p) {
@@ -37,11 +14,10 @@ Point inner_point(const Polygon& p) {
   return Interval(1) / Interval(p.size) * sum;
 }
 
-bool lies_beyond(const Facet& occluder, const Target& target) {
-  const Facet& f = target.facet;
+bool lies_beyond(const Facet& occluder, const Facet& f, const Polygon& polygon) {
   bool strictly = false;
-  for (std::size_t k = 0; k < target.polygon.size; ++k) {
-    const Corner& c = target.polygon.corners[k];
+  for (std::size_t k = 0; k < polygon.size; ++k) {
+    const Corner& c = polygon.corners[k];
     std::optional<Sign> s;
     if (c.input >= 0) {
       const auto i = static_cast<std::size_t>(c.input);
@@ -68,41 +44,67 @@ bool lies_beyond(const Facet& occluder, const Facet& f) {
   return strictly;
 }
 
-bool boxes_apart(const Facet& occluder, const Target& target) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const Interval of_target = extent(target.polygon, axis);
-    const double a = component(*occluder.p[0], axis), b = component(*occluder.p[1], axis),
-                 c = component(*occluder.p[2], axis);
-    if (std::max({a, b, c}) < of_target.inf() || std::min({a, b, c}) > of_target.sup()) return true;
+Target::Target(const Facet& facet, const Polygon& polygon, const Face& face)
+    : facet_(facet), polygon_(polygon), face_(face) {
+  box_ = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  for (std::size_t k = 0; k < polygon.size; ++k) {
+    const Point& p = polygon.corners[k].at;
+    for (int axis = 0; axis < 3; ++axis) {
+      double &lo = component(box_.lower, axis), &hi = component(box_.upper, axis);
+      lo = std::min(lo, component(p, axis).inf());
+      hi = std::max(hi, component(p, axis).sup());
+    }
+    for (std::size_t r = 0; r < face.corners.size(); ++r)
+      segments_[r][k] = p - numbers<Interval>(face.corners[r]);
   }
-  return false;
 }
 
-bool may_be_crossed(const Mesh::Edge& edge, const Face& face, const Target& target) {
-  const Facet& f = target.facet;
+bool Target::box_apart_from(const Facet& occluder) const {
+  return !meet(box_, box_around(*occluder.p[0], *occluder.p[1], *occluder.p[2]));
+}
+
+/// The determinant of `turn` is linear in the viewpoint and in the point of the polygon, so its signs at
+/// corners are those inside; where it has one sign the line through the edge is passed on one side.
+bool Target::passed_on_one_side(const Mesh::Edge& edge) const {
+  const Vec3d &a = *edge.ends[0], &b = *edge.ends[1];
+  bool left = false, right = false;
+  for (std::size_t r = 0; r < face_.corners.size(); ++r) {
+    const Vec3d& o = face_.corners[r];
+    const Point eye = numbers<Interval>(o),
+                normal = cross(numbers<Interval>(a) - eye, numbers<Interval>(b) - eye);
+    for (std::size_t k = 0; k < polygon_.size; ++k) {
+      const int input = polygon_.corners[k].input;
+      const auto i = static_cast<std::size_t>(input);
+      if (input >= 0 && (facet_.v[i] == edge.v[0] || facet_.v[i] == edge.v[1])) continue;  // zero
+      std::optional<Sign> s = sign_of(dot(normal, segments_[r][k]));
+      if (input >= 0) {
+        if (s)
+          ++certain_signs.interval;
+        else
+          s = turn(a, b, *facet_.p[i], o);
+      }
+      if (!s) return false;
+      left = left || *s == Sign::positive;
+      right = right || *s == Sign::negative;
+      if (left && right) return false;
+    }
+  }
+  return left != right;
+}
+
+bool Target::may_meet(const Mesh::Edge& edge) const {
   for (int axis = 0; axis < 3; ++axis) {
-    const Interval of_target = extent(target.polygon, axis);
-    const double lo = std::min(component(face.corners[0], axis), of_target.inf()),
-                 hi = std::max(component(face.corners[2], axis), of_target.sup());
+    const double lo = std::min(component(face_.corners[0], axis), component(box_.lower, axis)),
+                 hi = std::max(component(face_.corners[2], axis), component(box_.upper, axis));
     const double a = component(*edge.ends[0], axis), b = component(*edge.ends[1], axis);
     if ((a < lo && b < lo) || (a > hi && b > hi)) return false;
   }
-  // The product is linear in the viewpoint and in the point of the polygon, so its signs at corners are those
-  // inside; where it has one sign the line through the edge is passed on one side.
-  bool left = false, right = false, known = true;
-  for (std::size_t k = 0; k < target.polygon.size && known && !(left && right); ++k)
-    for (const Vec3d& o : face.corners) {
-      const auto s = turn_of(edge, f, target.polygon.corners[k], o);
-      known = known && s.has_value();
-      left = left || certainly(s, Sign::positive);
-      right = right || certainly(s, Sign::negative);
-    }
-  if (known && left != right) return false;
+  if (passed_on_one_side(edge)) return false;
   const auto not_before = [&](std::size_t end) {
-    return std::find(f.v.begin(), f.v.end(), edge.v[end]) != f.v.end() ||
-           beyond(f, *edge.ends[end]) != Sign::negative;
+    return std::find(facet_.v.begin(), facet_.v.end(), edge.v[end]) != facet_.v.end() ||
+           beyond(facet_, *edge.ends[end]) != Sign::negative;
   };
-  return !(f.faced && not_before(0) && not_before(1));
+  return !(facet_.faced && not_before(0) && not_before(1));
 }
 
 }  // namespace provis::offset

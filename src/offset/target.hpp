@@ -1,26 +1,43 @@
 #pragma once
-// A part of a triangle that is to be hidden, and how occluders and their edges lie to it.
+// A part of a triangle that is to be hidden from a face, and how occluders and their edges lie to it.
 
 #include "src/offset/fusion.hpp"
+#include "src/scene/box_tree.hpp"
 
 namespace provis::offset {
-
-struct Target {
-  const Facet& facet;
-  const Polygon& polygon;  ///< the part
-};
 
 /// A point of the polygon's relative interior.
 Point inner_point(const Polygon& p);
 
-/// All of the part lies on the far side of the occluder's plane or in it, and not all of it in it.
-bool lies_beyond(const Facet& occluder, const Target& target);
+/// All of the polygon, a part of the facet, lies on the far side of the occluder's plane or in it, and not
+/// all of it in it.
+bool lies_beyond(const Facet& occluder, const Facet& facet, const Polygon& polygon);
 /// The same for the whole triangle.
 bool lies_beyond(const Facet& occluder, const Facet& facet);
 
-bool boxes_apart(const Facet& occluder, const Target& target);
+class Target {
+ public:
+  /// All three must outlive it.
+  Target(const Facet& facet, const Polygon& polygon, const Face& face);
 
-/// False only if no segment from inside the face to the inside of the part meets the edge on its way.
-bool may_be_crossed(const Mesh::Edge& edge, const Face& face, const Target& target);
+  const Facet& facet() const { return facet_; }
+  const Polygon& polygon() const { return polygon_; }
+
+  bool lies_beyond(const Facet& occluder) const { return offset::lies_beyond(occluder, facet_, polygon_); }
+  /// The box around the occluder and that around the part do not meet.
+  bool box_apart_from(const Facet& occluder) const;
+
+  /// False only if no segment from inside the face to the inside of the part meets the edge on its way.
+  bool may_meet(const Mesh::Edge& edge) const;
+
+ private:
+  bool passed_on_one_side(const Mesh::Edge& edge) const;
+
+  const Facet& facet_;
+  const Polygon& polygon_;
+  const Face& face_;
+  Box box_;                                                   ///< around the part
+  std::array<std::array<Point, Polygon::most>, 4> segments_;  ///< from the face's corners to the part's
+};
 
 }  // namespace provis::offset
