@@ -120,17 +120,23 @@ void Descent::drop_covered(const Beam& beam, std::vector<Entry>& list) {
   stats_.early_hidden += before - list.size();
 }
 
-/// What is proven to be hidden in the beam leaves the list: what it would hide, others hide too, mostly. What
-/// is seen is wanted nowhere any more. Returns how much is hidden.
+/// What is proven to be hidden in the beam is no longer wanted in it; it leaves a long list, as what it would hide
+/// is mostly hidden by others too. What is seen is wanted nowhere any more. Returns how much is hidden.
 std::uint64_t Descent::resolve(const Beam& beam, std::vector<Entry>& list, bool by_sides) {
   const Timer timer(stats_.seconds_resolve);
   const Shadows shadows(beam, list, outlook_.facets.all);
+  std::uint64_t hidden = 0;
   for (Entry& e : list) {
     if (!e.wanted) continue;
     e.failure = resolver_.hide(beam, shadows, e, by_sides);
     if (e.failure == Failure::seen) keep(e);
+    if (e.failure == Failure::none) {
+      e.wanted = false;
+      ++hidden;
+    }
   }
-  return std::erase_if(list, [](const Entry& e) { return e.failure == Failure::none; });
+  if (list.size() > short_list) std::erase_if(list, [](const Entry& e) { return e.failure == Failure::none; });
+  return hidden;
 }
 
 void Descent::count(Failure f) {
