@@ -120,8 +120,8 @@ void Descent::drop_covered(const Beam& beam, std::vector<Entry>& list) {
   stats_.early_hidden += before - list.size();
 }
 
-/// What is proven to be hidden in the beam is no longer wanted in it; it leaves a long list, as what it would hide
-/// is mostly hidden by others too. What is seen is wanted nowhere any more. Returns how much is hidden.
+/// What is proven to be hidden in the beam is no longer wanted in it; it leaves a long list, as what it would
+/// hide is mostly hidden by others too. What is seen is wanted nowhere any more. Returns how much is hidden.
 std::uint64_t Descent::resolve(const Beam& beam, std::vector<Entry>& list, bool by_sides) {
   const Timer timer(stats_.seconds_resolve);
   const Shadows shadows(beam, list, outlook_.facets.all);
@@ -135,7 +135,8 @@ std::uint64_t Descent::resolve(const Beam& beam, std::vector<Entry>& list, bool 
       ++hidden;
     }
   }
-  if (list.size() > short_list) std::erase_if(list, [](const Entry& e) { return e.failure == Failure::none; });
+  if (list.size() > short_list)
+    std::erase_if(list, [](const Entry& e) { return e.failure == Failure::none; });
   return hidden;
 }
 
