@@ -21,7 +21,6 @@ class Target {
   Target(const Facet& facet, const Polygon& polygon, const Face& face);
 
   const Facet& facet() const { return facet_; }
-  const Polygon& polygon() const { return polygon_; }
 
   bool lies_beyond(const Facet& occluder) const { return offset::lies_beyond(occluder, facet_, polygon_); }
   /// The box around the occluder and that around the part do not meet.

@@ -31,7 +31,7 @@ void compare(const Scene& scene, const ViewCell& cell) {
     REQUIRE(upper.set.status[id] != Status::hidden);
   REQUIRE(verify_witnesses(scene, cell, lower) == lower.set.witnesses.size());
   std::cout << lower.set.witnesses.size() << " proven, " << upper.bounds.hidden << " hidden of "
-            << scene.primitive_count() << "\n";
+            << scene.primitive_count() << std::endl;  // a nightly run is watched
   // Beside walls, something is hidden from every cell of these scenes, but where the cell holds all of one.
   const bool inside = upper.bounds.touching == scene.primitive_count();
   CHECK((inside || upper.bounds.hidden > 0));
