@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "predicates/environment.hpp"
 #include "predicates/exact_number.hpp"
+#include "predicates/plane_side.hpp"
 #include "predicates/zero_area.hpp"
 
 namespace provis {
@@ -79,17 +81,26 @@ std::optional<std::pair<ExactTime, ExactTime>> BlockedTimes::first_gap(const Exa
 
 bool BlockedTimes::at(const ExactTime& t) const {
   if (near_.empty()) return false;
-  using Q = ExactTime;
-  const auto exact = [](double x) { return Q(x); };
-  const auto point = [&](const Vec3d& p) { return Vec3<Q>{exact(p.x), exact(p.y), exact(p.z)}; };
-  const Vec3<Q> o = point(from_), v = o + t * (point(to_) - o);
+  const RoundUp guard;
+  const auto viewpoint = [&]<class Number>(const Number& when) {
+    const Vec3<Number> o = numbers<Number>(from_);
+    return o + when * (numbers<Number>(to_) - o);
+  };
+  const Vec3<Interval> bounds = viewpoint(Interval(CGAL::to_interval(t)));
+  const auto extent = [&](int axis) {
+    return Extent{component(bounds, axis).inf(), component(bounds, axis).sup()};
+  };
+  const Extent x = extent(0), y = extent(1), z = extent(2);
+  const Vec3<ExactTime> v = viewpoint(t);
   return std::any_of(near_.begin(), near_.end(), [&](PrimitiveId id) {
-    const Vec3<Q> a = point(scene_.corner(id, 0)), b = point(scene_.corner(id, 1)),
-                  c = point(scene_.corner(id, 2));
-    const Vec3<Q> n = cross(b - a, c - a);
-    if (dot(n, v - a) != 0) return false;
-    return dot(n, cross(b - a, v - a)) >= 0 && dot(n, cross(c - b, v - b)) >= 0 &&
-           dot(n, cross(a - c, v - c)) >= 0;
+    const Vec3d &a = scene_.corner(id, 0), &b = scene_.corner(id, 1), &c = scene_.corner(id, 2);
+    if (apart(x, a.x, b.x, c.x) || apart(y, a.y, b.y, c.y) || apart(z, a.z, b.z, c.z)) return false;
+    if (const auto s = sign_of(plane_height(a, b, c, bounds)); s && *s != Sign::zero) return false;
+    if (plane_height(a, b, c, v) != 0) return false;
+    const Vec3<ExactTime> p = numbers<ExactTime>(a), q = numbers<ExactTime>(b), r = numbers<ExactTime>(c),
+                          n = cross(q - p, r - p);
+    return dot(n, cross(q - p, v - p)) >= 0 && dot(n, cross(r - q, v - q)) >= 0 &&
+           dot(n, cross(p - r, v - r)) >= 0;
   });
 }
 
