@@ -185,11 +185,12 @@ void Descent::halve(const Block& block, const Face& face, std::vector<Entry> lis
   if (count_wanted(list) <= few_wanted || (list.size() <= largest_list && spread(beam, list) <= most_spread))
     resolve(beam, list, false);
   if (count_wanted(list) == 0) return;
-  const double depth = middle_depth(list);
-  if (refinements > 0 && list.size() > short_list && widest_edge(beam, depth) < columns) {
-    for (const Half& half : halves(beam, depth))
-      halve(block, half.beam.face, list, half.cuts, refinements - 1);
-    return;
+  if (refinements > 0 && list.size() > short_list) {
+    const Edge widest = widest_edge(beam, middle_depth(list));
+    if (widest < columns) {
+      halve(block, face.half(static_cast<int>(widest), false), list, {}, refinements - 1);
+      return halve(block, face.half(static_cast<int>(widest), true), std::move(list), {}, refinements - 1);
+    }
   }
   Block first = block, second = block;
   const bool across = block.column1 - block.column0 >= block.row1 - block.row0;

@@ -71,6 +71,12 @@ class Resolver::Hiding {
   bool usable(std::uint32_t m) const {
     return m != entry_.facet && (target_.box_apart_from(facets_[m]) || target_.lies_beyond(facets_[m]));
   }
+  /// Whether what grows from the seed hides the target, as far as edges may be crossed.
+  template <class MayCross>
+  bool hides(std::uint32_t seed, const MayCross& may_cross) {
+    const auto usable = [&](std::uint32_t m) { return this->usable(m); };
+    return resolver_.fusion_.grow(seed, most_members, usable, may_cross).has_value();
+  }
   bool on_side(const Side& side);
   void try_line(const Mesh::Edge* line) {
     if (line && std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
@@ -91,13 +97,10 @@ Failure Resolver::Hiding::all() {
   const Point to = inner_point(polygon_), from = beam_.viewpoint_towards(to);
   const SightLine sight(from, to);
   const auto may_cross = [&](const Mesh::Edge& e) { return target_.may_meet(e); };
-  const auto usable = [&](std::uint32_t m) { return this->usable(m); };
-  const auto hides = [&](std::uint32_t seed) {
-    return resolver_.fusion_.grow(seed, most_members, usable, may_cross).has_value();
-  };
   // What hid the last triangle often hides this one.
   std::uint32_t& last = resolver_.last_seed_;
-  if (last < facets_.size() && sight.crosses(facets_[last]) == true && hides(last)) return Failure::none;
+  if (last < facets_.size() && sight.crosses(facets_[last]) == true && hides(last, may_cross))
+    return Failure::none;
   std::size_t seeds = 0;
   bool clear = target_.facet().faced && resolver_.shafts_.holds(beam_.directions, to - from), hidden = false;
   Failure first = Failure::nothing_between;
@@ -108,7 +111,7 @@ Failure Resolver::Hiding::all() {
     clear = clear && crossed == false;
     if (!f.occludes || crossed != true) return false;
     if (++seeds > most_seeds) return true;
-    hidden = hides(occluder);
+    hidden = hides(occluder, may_cross);
     if (hidden) {
       last = occluder;
       return true;
@@ -150,10 +153,7 @@ bool Resolver::Hiding::on_side(const Side& side) {
     if (!f.occludes || occluder == entry_.facet || sight.crosses(f) != true) return false;
     if (++seeds > most_seeds) return true;
     ends.clear();
-    hidden = resolver_.fusion_
-                 .grow(
-                     occluder, most_members, [&](std::uint32_t m) { return usable(m); }, may_cross)
-                 .has_value();
+    hidden = hides(occluder, may_cross);
     return hidden;
   });
   if (hidden)

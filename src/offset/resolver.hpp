@@ -27,7 +27,8 @@ class Resolver {
   /// Whether the entry certainly lies behind the cover, wherever a ray of the beam hits both.
   bool behind(const Cover& cover, const Entry& entry) const;
 
-  /// Failure::none if some occluders of the list certainly come before the entry on all rays of the beam that
+  /// shadows: of the list that the entry is in.
+  /// Failure::none if some occluders of it certainly come before the entry on all rays of the beam that
   /// hit it; Failure::seen if one such ray certainly meets nothing before it, so that no part of the beam can
   /// hide it; otherwise what stood in the way of the nearest that came into question.
   /// by_sides: where an edge stands in the way, each side of its line is tried alone, which may take thrice

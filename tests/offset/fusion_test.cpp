@@ -4,6 +4,7 @@
 
 #include "predicates/environment.hpp"
 #include "src/offset/fusion.hpp"
+#include "tests/offset/lower_face.hpp"
 
 namespace provis::test {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 using namespace provis::offset;
 
 const ViewCell cell{{-0.5, -0.5, 0}, {0.5, 0.5, 1}, {}};
-
-Face lower_face() {
-  for (const Face& f : faces_of(cell))
-    if (f.axis == 2 && !f.upper) return f;
-  throw std::logic_error("no such face");
-}
 
 struct Seen {
   Scene scene;
@@ -28,7 +23,7 @@ struct Seen {
   explicit Seen(SceneArrays arrays)
       : scene(std::move(arrays)),
         seams(scene),
-        facets(facets_of(scene, seams, lower_face())),
+        facets(facets_of(scene, seams, lower_face(cell))),
         mesh(facets.all, seams) {}
 
   /// Members of the set grown from a facet where every edge may be crossed that `open` says.

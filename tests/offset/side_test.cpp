@@ -5,17 +5,12 @@
 
 #include "predicates/environment.hpp"
 #include "src/offset/side.hpp"
+#include "tests/offset/lower_face.hpp"
 
 namespace provis::test {
 namespace {
 
 using namespace provis::offset;
-
-Face looks_down(const Vec3d& lower, const Vec3d& upper) {
-  for (const Face& f : faces_of({lower, upper, {}}))
-    if (f.axis == 2 && !f.upper) return f;
-  throw std::logic_error("no such face");
-}
 
 Mesh::Edge edge(const Vec3d& a, const Vec3d& b, std::uint32_t first) {
   return {{&a, &b}, {first, first + 1}, 0, 0};
@@ -25,7 +20,7 @@ Mesh::Edge edge(const Vec3d& a, const Vec3d& b, std::uint32_t first) {
 
 TEST_CASE("an edge is left out only if it is so from all four corners of the face") {
   const RoundUp guard;
-  const Face face = looks_down({-0.5, -0.5, 0}, {0.5, 0.5, 1});
+  const Face face = lower_face({{-0.5, -0.5, 0}, {0.5, 0.5, 1}, {}});
   for (const double x : {-1.0, 1.0})
     for (const double y : {-1.0, 1.0})
       for (const double at : {1 - 0x1p-40, 1.0, 1 + 0x1p-40}) {
@@ -43,7 +38,7 @@ TEST_CASE("an edge is left out only if it is so from all four corners of the fac
 
 TEST_CASE("an edge with one end on the side is not left out") {
   const RoundUp guard;
-  const Face face = looks_down({-0.5, -0.5, 0}, {0.5, 0.5, 1});
+  const Face face = lower_face({{-0.5, -0.5, 0}, {0.5, 0.5, 1}, {}});
   const Vec3d a{0, -1, -1}, b{0, 1, -1}, left{-9, 0, -1}, right{9, 0, -1}, far{9, 1, -1};
   const Mesh::Edge line = edge(a, b, 0), across = edge(left, right, 2), beside = edge(right, far, 4);
   const auto sides_without = [&](const Mesh::Edge& e) {
@@ -58,7 +53,7 @@ TEST_CASE("nothing is claimed of a side that falls apart") {
   // stands high enough, while the line lies behind it; from the left end, the lower corners are passed on
   // that side beyond the line. Between the two lies the other side, and parts them.
   const RoundUp guard;
-  const Face face = looks_down({-0.176, -0.5, 1}, {5.67, 0.5, 2});
+  const Face face = lower_face({{-0.176, -0.5, 1}, {5.67, 0.5, 2}, {}});
   const Vec3d a{0, -1, 0}, b{0, 1, 0};
   const Mesh::Edge line = edge(a, b, 0);
   for (const double high : {0.194, 0.1}) {

@@ -7,6 +7,7 @@
 #include "predicates/environment.hpp"
 #include "src/offset/shadows.hpp"
 #include "src/offset/sight_line.hpp"
+#include "tests/offset/lower_face.hpp"
 #include "tests/support/random.hpp"
 
 namespace provis::test {
@@ -16,12 +17,6 @@ using namespace provis::offset;
 
 const ViewCell cell{{-1, -1, 0}, {1, 1, 2}, {}};
 
-Face lower_face() {
-  for (const Face& f : faces_of(cell))
-    if (f.axis == 2 && !f.upper) return f;
-  throw std::logic_error("no such face");
-}
-
 /// Small whole numbers, so that much is degenerate: corners on the segment, edges through it, planes along
 /// it.
 struct Case {
@@ -30,7 +25,7 @@ struct Case {
   Facets facets;
 
   explicit Case(SceneArrays arrays)
-      : scene(std::move(arrays)), seams(scene), facets(facets_of(scene, seams, lower_face())) {}
+      : scene(std::move(arrays)), seams(scene), facets(facets_of(scene, seams, lower_face(cell))) {}
 };
 
 Case some_triangles(Random& random, std::size_t count) {
@@ -89,7 +84,7 @@ TEST_CASE("shadows leave out nothing that a segment in the beam may cross") {
   const RoundUp guard;
   Random random(7);
   std::size_t visited = 0, left_out = 0;
-  const Face face = lower_face();
+  const Face face = lower_face(cell);
   const std::vector<Raster> rasters = rasters_of(cell, face, {8, 8});
   for (int round = 0; round < 500; ++round) {
     const Case c = some_triangles(random, 24);
